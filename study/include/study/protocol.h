@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace study {
+
+namespace fs = std::filesystem;
+using Rgb = std::array<double, 3>;
+
+/// The picture every stimulus shares.
+struct ImageSettings {
+    int width = 1650, height = 988; ///< pixels
+    int samples = 4;                ///< MSAA samples per pixel
+    Rgb background{0, 0, 0};        ///< linear Rec. 709
+    double exposure = 1;            ///< factor on linear light before the output transform
+};
+
+/// One camera distance with the name it has in file names and logs.
+struct Distance {
+    std::string name;
+    double units = 0; ///< in head units, see CameraSettings
+};
+
+struct CameraSettings {
+    double fov_deg = 20;    ///< vertical
+    double head_units = 27; ///< the head's height in distance units
+    std::vector<Distance> distances;
+};
+
+struct LightSettings {
+    double elevation_deg = 45;
+    std::vector<int> azimuths_deg; ///< 0 in front of the face, turning about +Y; 0 ... 359
+    Rgb irradiance{};              ///< of a surface facing the light, linear Rec. 709
+    Rgb ambient{};                 ///< irradiance from the upper hemisphere, linear Rec. 709
+    int shadow_map_size = 512;     ///< texels
+    double shadow_softness_mm = 0; ///< standard deviation of the shadow filter
+};
+
+struct SkinSettings {
+    std::string profile;           ///< name of a sum of Gaussians
+    double texture_mix = 0.5;      ///< share of the albedo applied before scattering, as an exponent
+    double specular_intensity = 0; ///< rho_s of Kelemen/Szirmay-Kalos
+    double fresnel_f0 = 0;         ///< Schlick's reflectance at normal incidence
+    double roughness = 0.3;        ///< Beckmann slope m where the model has no roughness
+};
+
+struct BloomSettings {
+    double strength = 0; ///< share of the light that the lens spreads
+    double sigma_px = 0; ///< standard deviation, pixels of the stimulus
+};
+
+struct TextureSpaceSettings {
+    int map_size = 1024;         ///< texels of the irradiance map's side
+    bool unblurred_first = true; ///< the narrowest Gaussian is replaced by the lighting of the final pass
+};
+
+struct JitteredSettings {
+    double unit_mm = 0; ///< length of one unit of Hable's kernel
+};
+
+/// Either exact kernel widths from millimetres, or the published alpha and beta where given.
+struct ScreenSpaceSettings {
+    std::optional<double> alpha; ///< [Jimenez2009, Eqs. 2-3]; 11 is the physical width
+    std::optional<double> beta;  ///< pixels
+};
+
+/// What a model file does not tell by itself; paths are relative to the model's folder.
+struct ModelSettings {
+    std::optional<fs::path> file; ///< relative to the protocol's folder
+    std::optional<fs::path> base_color, normal, roughness;
+    double metres_per_unit = 1;
+    bool flip_v = false;
+    double head_height_mm = 232;
+    std::optional<std::array<double, 3>> head_centre_mm; ///< else the middle of the top head_height_mm
+};
+
+struct SessionTexts {
+    std::string instructions, trial, end; ///< UTF-8; {trial} and {trials} stand for numbers
+};
+
+struct SessionSettings {
+    std::string reference;          ///< the shader all others are compared against
+    std::vector<std::string> tests; ///< the shaders compared with it
+    bool both_orders = true;        ///< each pair twice, once with either shader first
+    double grey_s = 2;
+    double grey_level = 0.5; ///< of the display signal (sRGB), not of the light
+    SessionTexts texts;
+};
+
+/// A study as its protocol file describes it. protocols/FORMAT.md documents every field.
+struct Protocol {
+    fs::path file;
+    std::string digest; ///< SHA-256 of the file
+    std::string name, title;
+    std::vector<std::string> shaders; ///< in the order of the contact sheet
+    ImageSettings image;
+    CameraSettings camera;
+    LightSettings light;
+    SkinSettings skin;
+    BloomSettings bloom;
+    TextureSpaceSettings ts;
+    JitteredSettings ss_jittered;
+    ScreenSpaceSettings ss_full;
+    ModelSettings model;
+    SessionSettings session;
+};
+
+/// Read and check a protocol file. Throws support::InputError that names file, line, field, expectation,
+/// finding.
+Protocol read_protocol(const fs::path& file);
+
+/// "<shader>_<distance>_<azimuth, 3 digits>", the stem of a stimulus's files.
+std::string stimulus_name(const std::string& shader, const std::string& distance, int azimuth_deg);
+
+} // namespace study

@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#include <study/protocol.h>
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include <support/file.h>
+#include <support/toml_table.h>
+
+namespace study {
+namespace {
+
+using support::TomlTable;
+
+// The shaders this program has; a protocol may name no other.
+constexpr std::array<std::string_view, 4> known_shaders{"no_sss", "ts", "ss_jittered", "ss_full"};
+
+// Bounds that keep one image inside a GPU's texture limits and a test machine's memory.
+constexpr int largest_side = 16384;
+
+Rgb rgb(TomlTable& table, std::string_view key, double most, const Rgb& fallback) {
+    const auto values = table.numbers(key, 3, 0, most, std::vector<double>(fallback.begin(), fallback.end()));
+    return {values[0], values[1], values[2]};
+}
+
+/// Names stand in file names and log columns, so they are kept to letters and digits.
+void check_name(const TomlTable& table, std::string_view key, const std::string& name) {
+    const auto plain = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    };
+    if (name.empty() || name.size() > 64 || !std::all_of(name.begin(), name.end(), plain)) {
+        throw table.error(
+            key, fmt::format("expected 1 to 64 letters and digits, found \"{}\"", support::one_line(name)));
+    }
+}
+
+void check_shader(const TomlTable& table, std::string_view key, const std::string& shader) {
+    if (std::find(known_shaders.begin(), known_shaders.end(), shader) == known_shaders.end()) {
+        throw table.error(key, fmt::format("expected a shader ({}), found \"{}\"",
+                                           fmt::join(known_shaders, ", "), support::one_line(shader)));
+    }
+}
+
+template <typename T>
+void check_unique(const TomlTable& table, std::string_view key, const std::vector<T>& values) {
+    std::set<T> seen;
+    for (const T& value : values) {
+        if (!seen.insert(value).second) {
+            throw table.error(key, fmt::format("expected each value once, found {} twice", value));
+        }
+    }
+}
+
+ImageSettings read_image(TomlTable table) {
+    ImageSettings image;
+    image.width = table.integer("width", 16, largest_side, image.width);
+    image.height = table.integer("height", 16, largest_side, image.height);
+    image.samples = table.integer("samples", 1, 64, image.samples);
+    image.background = rgb(table, "background", 100, image.background);
+    image.exposure = table.number("exposure", 1e-6, 1e6, image.exposure);
+    return image;
+}
+
+CameraSettings read_camera(TomlTable table) {
+    CameraSettings camera;
+    camera.fov_deg = table.number("fov_deg", 0.1, 170, camera.fov_deg);
+    camera.head_units = table.number("head_units", 1e-6, 1e6, camera.head_units);
+    std::vector<std::string> names;
+    for (TomlTable& entry : table.tables("distances")) {
+        Distance distance{entry.text("name"), entry.number("units", 1e-6, 1e9)};
+        check_name(entry, "name", distance.name);
+        names.push_back(distance.name);
+        camera.distances.push_back(std::move(distance));
+    }
+    if (camera.distances.empty()) {
+        throw table.error("distances", "expected at least one { name = ..., units = ... }, found none");
+    }
+    check_unique(table, "distances", names);
+    return camera;
+}
+
+LightSettings read_light(TomlTable table) {
+    LightSettings light;
+    light.elevation_deg = table.number("elevation_deg", -90, 90, light.elevation_deg);
+    for (const double azimuth : table.numbers("azimuths_deg", 0, 0, 359)) {
+        if (azimuth != static_cast<int>(azimuth)) {
+            throw table.error("azimuths_deg", fmt::format("expected whole degrees, found {}", azimuth));
+        }
+        light.azimuths_deg.push_back(static_cast<int>(azimuth));
+    }
+    check_unique(table, "azimuths_deg", light.azimuths_deg);
+    light.irradiance = rgb(table, "irradiance", 1e6, {3, 3, 3});
+    light.ambient = rgb(table, "ambient", 1e6, light.ambient);
+    light.shadow_map_size = table.integer("shadow_map_size", 16, largest_side, light.shadow_map_size);
+    light.shadow_softness_mm = table.number("shadow_softness_mm", 0, 100, 1.0);
+    return light;
+}
+
+SkinSettings read_skin(TomlTable table) {
+    SkinSettings skin;
+    skin.profile = table.word("profile", {"skin_6g_deon2007", "skin_4g_jimenez2010", "marble_4g_jimenez2010"},
+                              "skin_6g_deon2007");
+    skin.texture_mix = table.number("texture_mix", 0, 1, skin.texture_mix);
+    skin.specular_intensity = table.number("specular_intensity", 0, 1, 0.18);
+    skin.fresnel_f0 = table.number("fresnel_f0", 0, 1, 0.028);
+    skin.roughness = table.number("roughness", 0.02, 1, skin.roughness);
+    return skin;
+}
+
+ModelSettings read_model(TomlTable table) {
+    ModelSettings model;
+    const auto path = [&](std::string_view key) -> std::optional<fs::path> {
+        return table.has(key) ? std::optional<fs::path>(table.text(key)) : std::nullopt;
+    };
+    model.file = path("file");
+    model.base_color = path("base_color");
+    model.normal = path("normal");
+    model.roughness = path("roughness");
+    model.metres_per_unit = table.number("metres_per_unit", 1e-9, 1e9, model.metres_per_unit);
+    model.flip_v = table.boolean("flip_v", model.flip_v);
+    model.head_height_mm = table.number("head_height_mm", 1e-3, 1e9, model.head_height_mm);
+    if (table.has("head_centre_mm")) {
+        const auto v = table.numbers("head_centre_mm", 3, -1e9, 1e9);
+        model.head_centre_mm = {v[0], v[1], v[2]};
+    }
+    return model;
+}
+
+SessionSettings read_session(TomlTable table, const Protocol& protocol) {
+    SessionSettings session;
+    const bool has_ts =
+        std::find(protocol.shaders.begin(), protocol.shaders.end(), "ts") != protocol.shaders.end();
+    session.reference = table.text("reference", has_ts ? "ts" : protocol.shaders.front());
+    std::vector<std::string> others;
+    std::copy_if(protocol.shaders.begin(), protocol.shaders.end(), std::back_inserter(others),
+                 [&](const std::string& shader) { return shader != session.reference; });
+    session.tests = others.empty() && !table.has("tests") ? others : table.texts("tests", others);
+    check_unique(table, "tests", session.tests);
+    for (const auto& [key, shader] : [&] {
+             std::vector<std::pair<std::string_view, std::string>> all{{"reference", session.reference}};
+             for (const auto& test : session.tests) {
+                 all.emplace_back("tests", test);
+             }
+             return all;
+         }()) {
+        check_shader(table, key, shader);
+        if (std::find(protocol.shaders.begin(), protocol.shaders.end(), shader) == protocol.shaders.end()) {
+            throw table.error(key, fmt::format("expected one of the protocol's shaders ({}), found \"{}\"",
+                                               fmt::join(protocol.shaders, ", "), shader));
+        }
+        if (key == "tests" && shader == session.reference) {
+            throw table.error(key,
+                              fmt::format("expected shaders other than the reference, found \"{}\"", shader));
+        }
+    }
+    session.both_orders = table.boolean("both_orders", session.both_orders);
+    session.grey_s = table.number("grey_s", 0, 600, session.grey_s);
+    session.grey_level = table.number("grey_level", 0, 1, session.grey_level);
+
+    TomlTable texts = table.table("texts");
+    session.texts.instructions =
+        texts.text("instructions", "You will see {trials} pairs of images, one image after "
+                                   "the other.\nChoose the one that looks most realistic."
+                                   "\n\nPress space to begin.");
+    session.texts.trial =
+        texts.text("trial", "Trial {trial} of {trials}\n\nPress space for the first image.");
+    session.texts.end = texts.text("end", "That was the last trial. Thank you.\n\nPress space to finish.");
+    return session;
+}
+
+} // namespace
+
+Protocol read_protocol(const fs::path& file) {
+    TomlTable root = TomlTable::read(file);
+    Protocol protocol;
+    protocol.file = file;
+    protocol.digest = support::sha256_of_file(file);
+    protocol.name = root.text("name");
+    check_name(root, "name", protocol.name);
+    protocol.title = root.text("title", protocol.name);
+    protocol.shaders = root.texts("shaders");
+    for (const std::string& shader : protocol.shaders) {
+        check_shader(root, "shaders", shader);
+    }
+    check_unique(root, "shaders", protocol.shaders);
+    protocol.image = read_image(root.table("image"));
+    protocol.camera = read_camera(root.table("camera"));
+    protocol.light = read_light(root.table("light"));
+    protocol.skin = read_skin(root.table("skin"));
+
+    TomlTable bloom = root.table("bloom");
+    protocol.bloom.strength = bloom.number("strength", 0, 1, protocol.bloom.strength);
+    protocol.bloom.sigma_px = bloom.number("sigma_px", 0, 1000, 8);
+
+    TomlTable ts = root.table("ts");
+    protocol.ts.map_size = ts.integer("map_size", 16, largest_side, protocol.ts.map_size);
+    protocol.ts.unblurred_first = ts.boolean("unblurred_first", protocol.ts.unblurred_first);
+
+    TomlTable jittered = root.table("ss_jittered");
+    protocol.ss_jittered.unit_mm = jittered.number("unit_mm", 1e-6, 1000, 0.527);
+
+    TomlTable full = root.table("ss_full");
+    if (full.has("alpha")) {
+        protocol.ss_full.alpha = full.number("alpha", 0, 1e6);
+    }
+    if (full.has("beta")) {
+        protocol.ss_full.beta = full.number("beta", 0, 1e9);
+    }
+    protocol.model = read_model(root.table("model"));
+    protocol.session = read_session(root.table("session"), protocol);
+    root.finish();
+    return protocol;
+}
+
+std::string stimulus_name(const std::string& shader, const std::string& distance, int azimuth_deg) {
+    return fmt::format("{}_{}_{:03d}", shader, distance, azimuth_deg);
+}
+
+} // namespace study
