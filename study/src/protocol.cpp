@@ -111,6 +111,17 @@ SkinSettings read_skin(TomlTable table) {
     return skin;
 }
 
+StretchSettings read_stretch(TomlTable& table) {
+    StretchSettings stretch;
+    if (table.has("alpha")) {
+        stretch.alpha = table.number("alpha", 0, 1e6);
+    }
+    if (table.has("beta")) {
+        stretch.beta = table.number("beta", 0, 1e9);
+    }
+    return stretch;
+}
+
 ModelSettings read_model(TomlTable table) {
     ModelSettings model;
     const auto path = [&](std::string_view key) -> std::optional<fs::path> {
@@ -122,6 +133,7 @@ ModelSettings read_model(TomlTable table) {
     model.roughness = path("roughness");
     model.metres_per_unit = table.number("metres_per_unit", 1e-9, 1e9, model.metres_per_unit);
     model.flip_v = table.boolean("flip_v", model.flip_v);
+    model.longest_edge_mm = table.number("longest_edge_mm", 0.1, 1e9, model.longest_edge_mm);
     model.head_height_mm = table.number("head_height_mm", 1e-3, 1e9, model.head_height_mm);
     if (table.has("head_centre_mm")) {
         const auto v = table.numbers("head_centre_mm", 3, -1e9, 1e9);
@@ -203,13 +215,10 @@ Protocol read_protocol(const fs::path& file) {
     TomlTable jittered = root.table("ss_jittered");
     protocol.ss_jittered.unit_mm = jittered.number("unit_mm", 1e-6, 1000, 0.527);
 
+    protocol.ss_jittered.stretch = read_stretch(jittered);
+
     TomlTable full = root.table("ss_full");
-    if (full.has("alpha")) {
-        protocol.ss_full.alpha = full.number("alpha", 0, 1e6);
-    }
-    if (full.has("beta")) {
-        protocol.ss_full.beta = full.number("beta", 0, 1e9);
-    }
+    protocol.ss_full.stretch = read_stretch(full);
     protocol.model = read_model(root.table("model"));
     protocol.session = read_session(root.table("session"), protocol);
     root.finish();

@@ -63,7 +63,7 @@ TomlTable TomlTable::read(const fs::path& file) {
     return TomlTable(std::move(node));
 }
 
-bool TomlTable::has(std::string_view key) const { return node_->table->contains(key); }
+bool TomlTable::has(std::string_view key) { return node_->find(key) != nullptr; }
 
 InputError TomlTable::error(std::string_view key, std::string_view message) const {
     const toml::node* at = node_->table->get(key);

@@ -62,14 +62,20 @@ struct TextureSpaceSettings {
     bool unblurred_first = true; ///< the narrowest Gaussian is replaced by the lighting of the final pass
 };
 
-struct JitteredSettings {
-    double unit_mm = 0; ///< length of one unit of Hable's kernel
+/// Kernel widths on the screen [Jimenez2009, Eqs. 2-3]: physical, from millimetres, unless published values
+/// are set.
+struct StretchSettings {
+    std::optional<double> alpha; ///< 11 is the physical width for the stimuli of 2009
+    std::optional<double> beta;  ///< pixels
 };
 
-/// Either exact kernel widths from millimetres, or the published alpha and beta where given.
-struct ScreenSpaceSettings {
-    std::optional<double> alpha; ///< [Jimenez2009, Eqs. 2-3]; 11 is the physical width
-    std::optional<double> beta;  ///< pixels
+struct JitteredSettings {
+    double unit_mm = 0; ///< length of one unit of Hable's kernel
+    StretchSettings stretch;
+};
+
+struct FullSettings {
+    StretchSettings stretch;
 };
 
 /// What a model file does not tell by itself; paths are relative to the model's folder.
@@ -78,6 +84,7 @@ struct ModelSettings {
     std::optional<fs::path> base_color, normal, roughness;
     double metres_per_unit = 1;
     bool flip_v = false;
+    double longest_edge_mm = 3; ///< the mesh is rounded off until its mean edge is no longer than this
     double head_height_mm = 232;
     std::optional<std::array<double, 3>> head_centre_mm; ///< else the middle of the top head_height_mm
 };
@@ -108,7 +115,7 @@ struct Protocol {
     BloomSettings bloom;
     TextureSpaceSettings ts;
     JitteredSettings ss_jittered;
-    ScreenSpaceSettings ss_full;
+    FullSettings ss_full;
     ModelSettings model;
     SessionSettings session;
 };

@@ -23,7 +23,8 @@ public:
     /// Read a file's root table. Throws InputError for a missing file or wrong TOML.
     static TomlTable read(const fs::path& file);
 
-    bool has(std::string_view key) const;
+    /// Whether the field is there; it then counts as known.
+    bool has(std::string_view key);
 
     /// A finite number in [least, most]; the fallback when absent, an error when absent without fallback.
     double number(std::string_view key, double least, double most, std::optional<double> fallback = {});

@@ -56,6 +56,9 @@ struct Model {
     std::vector<Mesh> meshes;
 };
 
+/// SHA-256 of all that makes the model's picture: vertices, indices, materials, pixels.
+std::string content_digest(const Model& model);
+
 /// Axis-aligned bounds, millimetres.
 struct Bounds {
     glm::vec3 low{0}, high{0};
@@ -70,5 +73,11 @@ Bounds bounds_above(const Model& model, float floor_mm);
 void compute_normals(Mesh& mesh);
 /// Tangents along +u, orthogonal to the normals; any orthogonal direction where the UVs are degenerate.
 void compute_tangents(Mesh& mesh);
+
+/// Round off the facets of a coarse mesh: split each triangle into four until the mean edge is at most
+/// `longest_edge_mm`. New vertices lie on the curved PN triangles of Vlachos et al. (2001), so that the
+/// surface goes through the old vertices with their normals, without cracks; creases (normals that differ at
+/// one place by more than 30 degrees) stay sharp. Stops before it makes more than 2 million triangles.
+void refine(Mesh& mesh, float longest_edge_mm);
 
 } // namespace renderer::scene

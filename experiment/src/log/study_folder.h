@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace experiment {
+
+namespace fs = std::filesystem;
+
+/// Refuse what is no participant label: 1 to 64 letters and digits of ASCII. Throws support::InputError.
+void check_label(const std::string& label);
+
+/// A study's folder as BIDS lays it out (Brain Imaging Data Structure 1.11, behavioural data).
+class StudyFolder {
+public:
+    /// Look, and write nothing. Throws support::InputError where the folder holds real data and the session
+    /// is simulated, or the other way round.
+    StudyFolder(fs::path folder, bool simulated);
+
+    const fs::path& folder() const { return folder_; }
+    /// Make the folder and what belongs to all its participants, as far as it is not there yet, and note the
+    /// participant; safe beside other programs that do the same. Throws InputError, Failure.
+    void prepare(const std::string& title, const std::string& label) const;
+    /// Copy the stimuli's contact sheet to stimuli/contact_sheet.png where there is one and the study has
+    /// none.
+    void keep_contact_sheet(const fs::path& sheet) const;
+
+private:
+    void check_kind() const;
+    void note_participant(int fd, const std::string& label) const;
+
+    fs::path folder_;
+    bool simulated_;
+};
+
+} // namespace experiment

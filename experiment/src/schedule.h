@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <study/protocol.h>
+
+namespace experiment {
+
+/// One picture of a study, by its factors.
+struct Stimulus {
+    std::string shader, distance;
+    int azimuth_deg = 0;
+
+    auto operator<=>(const Stimulus&) const = default;
+};
+
+/// Two shaders compared under one condition, in the order they are shown.
+struct Trial {
+    std::string reference, test; ///< shaders
+    std::string distance;        ///< name of the camera distance
+    int azimuth_deg = 0;         ///< of the light
+    std::string first, second;   ///< shaders, in the order shown
+
+    Stimulus first_stimulus() const { return {first, distance, azimuth_deg}; }
+    Stimulus second_stimulus() const { return {second, distance, azimuth_deg}; }
+    bool operator==(const Trial&) const = default;
+};
+
+/// The trials of a session in the order shown.
+using Schedule = std::vector<Trial>;
+
+/// The seed of a session that was given none: it depends on the protocol's name and the participant alone.
+std::uint64_t default_seed(const study::Protocol& protocol, const std::string& label);
+
+/// Every test x distance x azimuth of the protocol, in both orders (or, where the protocol asks for one, in
+/// an order drawn by lot), shuffled. The same seed gives the same schedule on every machine. Throws
+/// support::InputError where the protocol compares nothing.
+Schedule make_schedule(const study::Protocol& protocol, std::uint64_t seed);
+
+/// The pictures that a schedule shows, each once, sorted.
+std::vector<Stimulus> stimuli_of(const Schedule& schedule);
+
+} // namespace experiment

@@ -1,0 +1,39 @@
+#version 450 core
+#include "material.glsl"
+
+// The lit frame in one pass [Jimenez2009, section 4]: what scatters, what is applied after scattering, what is
+// reflected, and how deep it lies. Alpha is the matte.
+layout(location = 0) out vec4 diffuse;
+layout(location = 1) out vec4 after_scattering;
+layout(location = 2) out vec4 specular;
+layout(location = 3) out float depth_mm;
+
+uniform vec3 eye_mm;
+uniform float fresnel_f0;
+
+// Kelemen/Szirmay-Kalos [DEonLuebke2007, section 14.3.1]; h is not normalised, Beckmann's lobe is computed, not
+// looked up, and the factor 1 / pi is in the caller.
+float kelemen_szirmay_kalos(vec3 N, vec3 L, vec3 V, float m) {
+    vec3 h = L + V;
+    float hh = dot(h, h);
+    vec3 H = h * inversesqrt(max(hh, 1e-8));
+    float NoH = max(dot(N, H), 1e-3);
+    float c2 = NoH * NoH;
+    float beckmann = exp(-(1.0 - c2) / (c2 * m * m)) / (m * m * c2 * c2);
+    float fresnel = fresnel_f0 + (1.0 - fresnel_f0) * pow(1.0 - max(dot(V, H), 0.0), 5.0);
+    return max(dot(N, L), 0.0) * beckmann * fresnel / max(hh, 1e-8);
+}
+
+void main() {
+    vec3 N = mapped_normal();
+    vec3 V = normalize(eye_mm - surface.position_mm);
+    float m = slope();
+    float visible = dot(geometric_normal(), light_direction) > -0.3 ? visibility() : 0.0;
+
+    diffuse = vec4(entering_light(N, m, visible), 1.0);
+    vec3 leaving = pow(albedo(), vec3(1.0 - texture_mix));
+    after_scattering = vec4(leaving * (1.0 - specular_intensity * specular_albedo(dot(N, V), m)), 1.0);
+    float reflected = specular_intensity * kelemen_szirmay_kalos(N, light_direction, V, m);
+    specular = vec4(light_irradiance * (visible * reflected / pi), 1.0);
+    depth_mm = surface.depth_mm;
+}

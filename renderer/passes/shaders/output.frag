@@ -1,0 +1,25 @@
+#version 450 core
+
+// Bloom, exposure, and the sRGB transfer function [IEC 61966-2-1]. Row 0 becomes the image's top.
+layout(binding = 0) uniform sampler2D color_map; // alpha: coverage
+layout(binding = 1) uniform sampler2D bloom_map;
+uniform float bloom_strength;
+uniform float exposure;
+
+layout(location = 0) out vec4 srgb;
+layout(location = 1) out vec4 linear;
+
+vec3 encoded(vec3 light) {
+    vec3 x = clamp(light, 0.0, 1.0);
+    return mix(12.92 * x, 1.055 * pow(x, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, x));
+}
+
+void main() {
+    ivec2 size = textureSize(color_map, 0);
+    ivec2 pixel = ivec2(gl_FragCoord.x, size.y - 1 - int(gl_FragCoord.y));
+    vec4 color = texelFetch(color_map, pixel, 0);
+    vec3 bloom = texture(bloom_map, (vec2(pixel) + 0.5) / vec2(size)).rgb;
+    vec3 light = exposure * mix(color.rgb, bloom, bloom_strength);
+    srgb = vec4(encoded(light), 1.0);
+    linear = vec4(light, color.a);
+}

@@ -1,0 +1,38 @@
+#version 450 core
+
+// Resolve the lit frame: colours and depth are means over the covered samples alone, the matte is 1 where any
+// sample is covered, the coverage is their share. Nothing of the background mixes into the skin.
+layout(binding = 0) uniform sampler2DMS diffuse_samples;
+layout(binding = 1) uniform sampler2DMS after_samples;
+layout(binding = 2) uniform sampler2DMS specular_samples;
+layout(binding = 3) uniform sampler2DMS depth_samples;
+uniform int samples;
+
+layout(location = 0) out vec4 diffuse;          // rgb, matte
+layout(location = 1) out vec4 after_scattering; // rgb, 1
+layout(location = 2) out vec4 specular;         // rgb, coverage
+layout(location = 3) out float depth_mm;
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec3 d = vec3(0.0);
+    vec3 a = vec3(0.0);
+    vec3 s = vec3(0.0);
+    float z = 0.0;
+    float covered = 0.0;
+    for (int i = 0; i < samples; ++i) {
+        vec4 d_i = texelFetch(diffuse_samples, pixel, i);
+        if (d_i.a > 0.0) {
+            covered += 1.0;
+            d += d_i.rgb;
+            a += texelFetch(after_samples, pixel, i).rgb;
+            s += texelFetch(specular_samples, pixel, i).rgb;
+            z += texelFetch(depth_samples, pixel, i).r;
+        }
+    }
+    float scale = covered > 0.0 ? 1.0 / covered : 0.0;
+    diffuse = vec4(d * scale, covered > 0.0 ? 1.0 : 0.0);
+    after_scattering = vec4(a * scale, 1.0);
+    specular = vec4(s * scale, covered / float(samples));
+    depth_mm = z * scale;
+}

@@ -1,0 +1,39 @@
+#version 450 core
+#include "stretch.glsl"
+
+// Hable's 13 taps [Hable2009] on the screen, turned by a random angle at each pixel [Jimenez2009, section 4].
+layout(binding = 0) uniform sampler2D source; // rgb times matte, matte
+uniform vec2 tap_offsets_mm[13];
+uniform vec3 tap_weights[13];
+
+layout(location = 0) out vec4 scattered;
+
+// A well-mixed number in [0, 1) for each pixel: the PCG hash of Jarzynski and Olano (2020).
+float random(uvec2 pixel) {
+    uint state = (pixel.x + pixel.y * 65536u) * 747796405u + 2891336453u;
+    uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+    word = (word >> 22u) ^ word;
+    return float(word >> 8u) / 16777216.0;
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    float depth = texelFetch(depth_map, pixel, 0).r;
+    if (depth <= 0.0) {
+        scattered = vec4(0.0);
+        return;
+    }
+    vec2 px_per_mm = vec2(stretch_px_per_mm(pixel, ivec2(1, 0), depth), stretch_px_per_mm(pixel, ivec2(0, 1), depth));
+    float angle = 6.28318530717959 * random(uvec2(pixel));
+    mat2 turn = mat2(cos(angle), sin(angle), -sin(angle), cos(angle));
+    vec2 texel = 1.0 / vec2(textureSize(source, 0));
+    vec3 sum = vec3(0.0);
+    vec3 met = vec3(0.0);
+    for (int i = 0; i < 13; ++i) {
+        vec2 offset_px = clamp(turn * tap_offsets_mm[i] * px_per_mm, -widest_px, widest_px);
+        vec4 tap = textureLod(source, (gl_FragCoord.xy + offset_px) * texel, 0.0);
+        sum += tap_weights[i] * tap.rgb;
+        met += tap_weights[i] * tap.a;
+    }
+    scattered = vec4(sum / max(met, vec3(1e-4)), 1.0);
+}

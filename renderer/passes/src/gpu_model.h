@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#pragma once
+
+#include <vector>
+
+#include <renderer/gl/objects.h>
+#include <renderer/scene/model.h>
+
+namespace renderer::passes {
+
+/// A model's buffers and textures on the GPU, with the places of its vertices for fitting cameras and lights.
+class GpuModel {
+public:
+    /// `default_slope` is Beckmann's m where a material says nothing of its roughness.
+    GpuModel(const scene::Model& model, float default_slope);
+
+    struct Mesh {
+        gl::Buffer vertices, indices;
+        gl::VertexArray array;
+        GLsizei index_count = 0;
+        std::size_t material = 0;
+        bool has_uv = false;
+    };
+    const std::vector<Mesh>& meshes() const { return meshes_; }
+    std::size_t material_count() const { return materials_.size(); }
+    const std::vector<glm::vec3>& places_mm() const { return places_mm_; }
+    const scene::Bounds& bounds() const { return bounds_; }
+
+    /// Bind a material's maps to units 0 to 2 and set its factors.
+    void bind_material(const gl::Program& program, std::size_t material, bool may_be_double_sided) const;
+
+    /// Draw all meshes with a program that reads materials, back faces culled unless the material is
+    /// double-sided.
+    void draw(const gl::Program& program) const;
+    /// Draw all meshes with a program that reads places alone, both sides.
+    void draw_places() const;
+    static void draw_mesh(const Mesh& mesh);
+
+private:
+    struct Material {
+        gl::Texture base_color, normal, roughness;
+        glm::vec3 base_color_factor{1};
+        float normal_scale = 1, roughness_factor = 1;
+        bool double_sided = false;
+    };
+    std::vector<Mesh> meshes_;
+    std::vector<Material> materials_;
+    std::vector<glm::vec3> places_mm_;
+    scene::Bounds bounds_;
+};
+
+} // namespace renderer::passes

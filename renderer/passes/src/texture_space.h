@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <renderer/gl/objects.h>
+#include <renderer/passes/pipeline.h>
+
+#include "gpu_model.h"
+#include "lit_frame.h"
+#include "shadow_map.h"
+
+namespace renderer::passes {
+
+/// Subsurface scattering in texture space [DEonLuebke2007]: a square irradiance map for each material,
+/// blurred by a cascade of Gaussians whose widths follow a stretch map that is blurred along.
+class TextureSpace {
+public:
+    /// Unwrap the model: charts, stretch maps and their blurs depend on nothing else.
+    /// Throws support::InputError if a mesh has no texture coordinates.
+    TextureSpace(const scene::Model& source, const GpuModel& model, const optics::Profile& profile,
+                 const Methods& methods, int width, int height, int samples);
+
+    /// Light the maps and blur them. Once a light.
+    void light(const GpuModel& model, const SurfaceLook& look, const Light& light, const ShadowMap& shadow);
+
+    /// The weighted sum of the Gaussians on the screen. Once a view.
+    const gl::Texture& gather(const GpuModel& model, const LitFrame& lit, const scene::Camera& camera);
+
+    const std::vector<std::string>& warnings() const { return warnings_; }
+
+private:
+    /// The maps of one material.
+    struct Map {
+        std::size_t material = 0;
+        glm::vec2 uv_origin{0}, uv_scale{1};
+        gl::Texture nearest, chart;
+        std::vector<gl::Texture> stretch;   ///< [k]: blurred k times
+        std::vector<gl::Texture> gaussians; ///< [k]: irradiance blurred k + 1 times
+    };
+    Map unwrapped(const scene::Model& source, const GpuModel& model, std::size_t material);
+    void draw_charts(const scene::Model& source, const GpuModel& model, const Map& map) const;
+    void blur(const gl::Texture& source, const gl::Texture& target, const Map& map, std::size_t step);
+
+    Methods methods_;
+    int size_, samples_;
+    std::vector<float> sigmas_mm_;
+    std::vector<glm::vec3> weights_; ///< of the Gaussians that the maps hold
+    glm::vec3 unblurred_weight_{0};  ///< of the lit frame
+    gl::Program geometry_, irradiance_, dilate_, blur_, gather_, resolve_, sum_;
+    gl::Texture raw_, half_blurred_, irradiance_map_;
+    gl::Texture gathered_samples_, depth_, gathered_, scattered_;
+    gl::Framebuffer gather_target_, gathered_target_, scattered_target_;
+    std::vector<Map> maps_;
+    std::vector<std::string> warnings_;
+};
+
+} // namespace renderer::passes

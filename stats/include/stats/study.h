@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <stats/log.h>
+
+namespace stats {
+
+/// One run of one participant.
+struct Run {
+    std::string participant; ///< BIDS label, without "sub-"
+    std::int64_t number = 1; ///< 1 where the file's name has no run
+    std::string file;        ///< relative to the study's folder
+    Log log;
+    std::optional<std::int64_t> trials_planned; ///< from the sidecar
+    bool simulated = false;                     ///< the sidecar says so
+
+    /// Set by choose_runs: the trials of a complete run, whether they are there, whether the run counts, and
+    /// why it does not.
+    std::size_t trials_expected = 0;
+    bool complete = false, used = false;
+    std::string why_left_out;
+};
+
+/// A study's logs.
+struct Study {
+    std::string name;                                  ///< of dataset_description.json, else of the folder
+    bool simulated = false;                            ///< dataset_description.json says so
+    std::vector<Run> runs;                             ///< by participant, then by run
+    std::vector<std::string> participants_without_log; ///< BIDS labels
+};
+
+/// Mark the runs that count: of each participant's the last complete one, or, where none is complete, the
+/// last that holds trials. Complete is a run with the trials its sidecar plans or, without one, with as many
+/// as the longest log of the study. The runs stand by participant, then by run.
+void choose_runs(std::vector<Run>& runs);
+
+/// Read a study's folder (BIDS) and choose its runs. Throws support::InputError for a folder that is missing
+/// or holds no answer, for names that are not as BIDS has them, and for files that are not as the format has
+/// them.
+Study read_study(const std::filesystem::path& folder);
+
+/// What the runs that count hold.
+struct Contents {
+    std::size_t participants = 0, trials = 0, unanswered = 0;
+    std::size_t simulated_runs = 0, runs = 0;
+};
+Contents contents(const Study& study);
+
+/// Whether any of the data that count are simulated.
+bool is_simulated(const Study& study);
+
+} // namespace stats

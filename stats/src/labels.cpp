@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#include "labels.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace stats {
+
+std::string shader_label(const std::string& shader) {
+    return shader == "ts"            ? "TS"
+           : shader == "no_sss"      ? "No SSS"
+           : shader == "ss_jittered" ? "SS Jittered"
+           : shader == "ss_full"     ? "SS Full"
+                                     : shader;
+}
+
+std::string distance_label(const std::string& distance) {
+    std::string label = distance;
+    if (!label.empty() && label[0] >= 'a' && label[0] <= 'z') {
+        label[0] = static_cast<char>(label[0] - 'a' + 'A');
+    }
+    return label;
+}
+
+std::string azimuth_label(double azimuth_deg) { return exact(azimuth_deg) + "\u00b0"; }
+
+std::string configuration_label(const std::string& reference, const std::string& distance,
+                                double azimuth_deg) {
+    return fmt::format("{} - {} - {}", shader_label(reference), distance_label(distance),
+                       azimuth_label(azimuth_deg));
+}
+
+std::string exact(double value) { return std::isnan(value) ? "n/a" : fmt::format("{}", value); }
+
+std::string statistic_text(double value) {
+    std::string text = fmt::format("{:.3f}", value);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.ends_with('.')) {
+        text.pop_back();
+    }
+    return text;
+}
+
+std::string p_text(double p) { return p == 1 ? "1" : fmt::format("{:.3f}", p); }
+
+std::string p_phrase(double p) { return p < 0.0005 ? "< 0.001" : fmt::format("= {:.3f}", p); }
+
+} // namespace stats

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#include <stimuli/command.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "render_set.h"
+
+namespace stimuli {
+namespace {
+
+constexpr const char* footer = R"(DESCRIPTION
+  Renders the images of a protocol: every shader at every camera distance under every light azimuth. Each is
+  DIR/<shader>_<distance>_<azimuth>.png, 8-bit sRGB, as participants see it. DIR/manifest.json lists them with digest
+  and all parameters; DIR/contact_sheet.png shows them side by side.
+
+  What is up to date is not rendered again: an image is rendered if it is new, if its file is missing or changed, or if
+  any parameter it depends on has changed. Changing a parameter of one shader renders that shader's images alone.
+
+  Without --model, and without a model in the protocol, the built-in head is used. Any glTF 2.0 model (.glb, .gltf)
+  will do: +Y up, the face towards +Z, metres. Its head is taken to be the top 232 mm unless the protocol's [model]
+  table says otherwise.
+
+SHADERS
+  no_sss       no subsurface scattering
+  ts           texture space (d'Eon and Luebke 2007): six Gaussians over an irradiance map
+  ss_jittered  screen space, Hable's 13 jittered taps
+  ss_full      screen space, six Gaussians (Jimenez, Sundstedt and Gutierrez 2009)
+
+EXAMPLES
+  skin2afc stimuli protocols/jimenez2009.toml --out out/stimuli
+  skin2afc stimuli protocols/jimenez2009.toml --out out/scan --model head.glb
+  skin2afc stimuli protocols/jimenez2009.toml --out out/scan --model head.glb --only shader=ts,ss_full --only distance=zoom
+
+EXIT STATUS
+  0 done; 1 rendering or writing failed; 2 bad usage or bad input, nothing was written)";
+
+void print_costs(const SetReport& report) {
+    std::vector<std::pair<std::string, renderer::passes::NodeCost>> rows(report.costs.begin(),
+                                                                         report.costs.end());
+    std::sort(rows.begin(), rows.end(),
+              [](const auto& a, const auto& b) { return a.second.seconds > b.second.seconds; });
+    fmt::print("\nwhere the time went{:>19} {:>6}\n", "seconds", "runs");
+    for (const auto& [what, cost] : rows) {
+        fmt::print("  {:<28} {:>7.2f} {:>6}\n", what, cost.seconds, cost.runs);
+    }
+}
+
+void print_explanation(const SetReport& report) {
+    for (const Outcome& outcome : report.outcomes) {
+        fmt::print("{:<28} {:<9} {}", outcome.name, outcome.rendered ? "rendered" : "kept", outcome.reason);
+        if (outcome.rendered) {
+            fmt::print("; {:.0f} ms; run: {}; reused: {}", outcome.milliseconds,
+                       fmt::join(outcome.passes_run, ", "), fmt::join(outcome.passes_reused, ", "));
+        }
+        fmt::print("\n");
+    }
+}
+
+void run(const SetRequest& request, bool explain) {
+    const SetReport report = render_set(request);
+    for (const std::string& warning : report.warnings) {
+        fmt::print(stderr, "skin2afc: warning: {}\n", warning);
+    }
+    const auto rendered =
+        static_cast<std::size_t>(std::count_if(report.outcomes.begin(), report.outcomes.end(),
+                                               [](const Outcome& outcome) { return outcome.rendered; }));
+    if (explain) {
+        print_explanation(report);
+    }
+    fmt::print("{} of {} images rendered, {:.1f} s, model: {}, OpenGL: {}\n", rendered,
+               report.outcomes.size(), report.seconds, report.model, report.driver);
+    if (report.missing > 0) {
+        fmt::print("{} images of the protocol are not in {} yet\n", report.missing, request.out.string());
+    }
+    if (rendered > 0) {
+        print_costs(report);
+    }
+}
+
+} // namespace
+
+void add_command(CLI::App& app) {
+    struct Arguments {
+        SetRequest request;
+        std::string model;
+        bool explain = false;
+    };
+    auto arguments = std::make_shared<Arguments>();
+    CLI::App* command = app.add_subcommand("stimuli", "Render the images of a protocol");
+    SetRequest& request = arguments->request;
+    command->add_option("PROTOCOL", request.protocol_file, "Protocol file (TOML)")->required();
+    command->add_option("--out", request.out, "Folder for images, manifest and contact sheet")->required();
+    command->add_option("--model", arguments->model,
+                        "glTF model in place of the protocol's, or of the built-in head");
+    command
+        ->add_option("--only", request.only,
+                     "Render these images alone: KEY=V[,V...], KEY being shader, distance or azimuth")
+        ->take_all();
+    command->add_option("--shard", request.shard,
+                        "Render part I of N alone, as I/N; all parts together are the set");
+    command->add_flag("--force", request.force, "Render images that are up to date, too");
+    command->add_flag("--explain", arguments->explain,
+                      "Say of each image why it was rendered or not, and by which passes");
+    command->add_flag("--exr", request.exr,
+                      "Also write each image's linear light as .exr (half float, RGBA)");
+    command->footer(footer);
+    command->callback([arguments] {
+        if (!arguments->model.empty()) {
+            arguments->request.model_file = arguments->model;
+        }
+        run(arguments->request, arguments->explain);
+    });
+}
+
+} // namespace stimuli

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <study/protocol.h>
+
+namespace stimuli {
+
+/// One image of a stimulus set.
+struct Item {
+    std::string shader;
+    study::Distance distance;
+    int azimuth_deg = 0;
+
+    /// The stem of its files.
+    std::string name() const { return study::stimulus_name(shader, distance.name, azimuth_deg); }
+};
+
+/// All images of a protocol, ordered so that what shares a light, then a camera, stands together.
+std::vector<Item> design(const study::Protocol& protocol);
+
+/// Which images to keep: values of shader, distance and azimuth; an empty list keeps all.
+struct Selection {
+    std::vector<std::string> shaders, distances;
+    std::vector<int> azimuths_deg;
+    int shard = 1, shards = 1; ///< part `shard` (from 1) of `shards` parts, split by light and camera
+
+    bool keeps(const Item& item, const study::Protocol& protocol) const;
+};
+
+/// From "--only KEY=V[,V...]" arguments and a "--shard I/N" argument (empty: all).
+/// Throws support::InputError for a key or value that the protocol does not have.
+Selection selection(const std::vector<std::string>& only, const std::string& shard,
+                    const study::Protocol& protocol);
+
+} // namespace stimuli

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#include "head_field.h"
+
+#include <array>
+
+#include "head_landmarks.h"
+
+namespace stimuli::head {
+namespace {
+
+/// A soft lump of tissue (or a hollow, when its height is negative).
+struct Lump {
+    glm::vec3 centre; ///< mm
+    glm::vec3 spread; ///< mm
+    float height_mm;
+};
+
+constexpr std::array<Lump, 18> lumps{{
+    {{27, 50, 88}, {22, 18, 30}, 1.6F},       // frontal eminence
+    {{23, 18, 90}, {17, 9, 22}, 1.6F},        // brow ridge
+    {{43, 12, 77}, {10, 7, 16}, 1.6F},        // its outer end
+    {{32, 9.5F, 82}, {14, 6, 16}, 3.0F},      // soft tissue between brow and lid
+    {{66, 24, 45}, {16, 20, 24}, -3.5F},      // temple
+    {{18, -1, 84}, {8, 9, 20}, -3.2F},        // inner corner of the socket
+    {{36, -14, 80}, {15, 6, 18}, -0.8F},      // below the lower lid
+    {{50, -3, 66}, {7, 8, 16}, -1.0F},        // outer corner
+    {{45, -28, 74}, {17, 13, 24}, 5.5F},      // cheekbone
+    {{62, -20, 48}, {12, 10, 22}, 1.8F},      // its arch towards the ear
+    {{48, -52, 60}, {17, 17, 26}, 1.8F},      // fat of the cheek
+    {{0, -68, 92}, {21, 17, 22}, 3.8F},       // teeth carry the lips
+    {{31, -66, 78}, {8, 12, 16}, 1.6F},       // fullness beside the mouth
+    {{0, -89.5F, 92}, {17, 4.5F, 18}, -3.4F}, // groove above the chin
+    {{0, -103, 88}, {15, 10, 20}, 5.5F},      // chin
+    {{27, -101, 72}, {12, 9, 16}, -0.8F},     // beside the chin
+    {{0, -7, 84}, {40, 16, 22}, -1.0F},       // middle of the face
+    {{49, -82, 12}, {16, 16, 22}, 2.0F},      // angle of the jaw
+}};
+
+float lump_height(const Lump& lump, glm::vec3 p) {
+    const glm::vec3 rel = (p - lump.centre) / lump.spread;
+    const float distance = glm::dot(rel, rel);
+    return distance < 9 ? lump.height_mm * std::exp(-distance) : 0;
+}
+
+float add_nose(float skin, glm::vec3 p) {
+    if (p.z < 60 || p.x > 40 || p.y > 30 || p.y < -66) {
+        return skin;
+    }
+    // Bone and cartilage of the bridge, wide flanks, the tip, and the septum down to the lip.
+    const float bridge = capsule(p, {0, 6, 83}, {0, -33, 104}, 5.2F, 7.2F);
+    const float flank = capsule(p, {4, 0, 79}, {9.5F, -38, 88}, 5.5F, 8.5F);
+    const float tip = glm::length((p - nose_tip) / glm::vec3(1.15F, 1, 1)) - 9.3F;
+    const float septum = capsule(p, {0, -44, 104}, {0, -51, 91}, 4.6F, 5.4F);
+    float nose = join(bridge, flank, 13);
+    nose = join(nose, tip, 10);
+    skin = join(skin, nose, 11);
+    skin = join(skin, septum, 5);
+
+    // The wings sit on the cheeks with a crease around them; the nostrils open below.
+    const float wing = capsule(p, {13.6F, -44.2F, 90}, {6.5F, -42.5F, 101}, 5.6F, 5.4F);
+    skin += 0.9F * bell(wing - 0.6F, 1.9F) * smooth_step(102, 94, p.z);
+    skin = join(skin, wing, 3.5F);
+    const float nostril = ellipsoid(p, {7.4F, -53.0F, 98}, {3.6F, 5.2F, 6.4F});
+    return carve(skin, -nostril, 2.5F);
+}
+
+float add_eye(float skin, glm::vec3 p) {
+    if (p.z < 50 || p.x > 60 || p.x < 8 || std::abs(p.y) > 26) {
+        return skin;
+    }
+    const float ball = glm::length(p - eye_centre) - eye_radius;
+    skin = join(skin, ball, 10);
+
+    // The upper lid ends in an edge on the lower one; a fold parts it from the brow, a faint one the lower
+    // lid from the cheek.
+    const float s = along_eye(p.x), inside = smooth_step(-0.12F, 0.1F, s) * smooth_step(1.16F, 0.9F, s);
+    const float above = p.y - lid_line_y(p.x);
+    const float upper_lid = smooth_step(-0.7F, 0.7F, above) * smooth_step(10, 1, above);
+    const float lower_rim = bell(above + 2.2F, 1.6F);
+    const float fold = bell(p.y - lid_fold_y(p.x), 1.7F);
+    const float lower_fold = bell(above + 9 - 3 * square(s - 0.5F), 1.8F);
+    return skin - inside * (1.2F * upper_lid + 0.35F * lower_rim - 0.7F * fold - 0.25F * lower_fold);
+}
+
+float add_mouth(float skin, glm::vec3 p) {
+    if (p.z < 55 || p.x > 40 || p.y > -48 || p.y < -100) {
+        return skin;
+    }
+    // Philtrum, between two ridges.
+    const float philtrum = smooth_step(-66, -61, p.y) * smooth_step(-50, -55, p.y);
+    skin += philtrum * (1.3F * bell(p.x, 3.2F) - 0.6F * bell(p.x - 6, 2.8F));
+
+    // Lips: each swells from its edge and turns in steeply towards the line between them.
+    const float s = p.x / mouth_half_width;
+    const float full = std::pow(std::max(1 - s * s, 0.0F), 0.9F);
+    const float line = lip_line_y(p.x), top = lip_top_y(p.x), bottom = lip_bottom_y(p.x);
+    const float up = std::clamp((p.y - line) / std::max(top - line, 1.0F), 0.0F, 2.0F);
+    const float down = std::clamp((line - p.y) / std::max(line - bottom, 1.0F), 0.0F, 2.0F);
+    const float upper = smooth_step(1.2F, 0.45F, up) * (0.35F + 0.65F * smooth_step(0, 0.4F, up));
+    const float lower = smooth_step(1.5F, 0.45F, down) * (0.35F + 0.65F * smooth_step(0, 0.4F, down));
+    const float lips = p.y > line ? 3.8F * upper : 4.5F * lower;
+    skin -= full * lips;
+
+    // The corners dip in, and the line between the lips runs into them.
+    const float corner = bell(glm::length(glm::vec2(p.x - mouth_half_width - 0.5F, p.y + 71.6F)), 4.0F);
+    const float parting = bell(p.y - line, 1.1F) * smooth_step(1.08F, 0.9F, s);
+    return skin + 1.6F * corner + 0.9F * parting;
+}
+
+/// The fold from the nose's wing to beside the mouth: a rounded step from the cheek down to the lip.
+float add_nasolabial_fold(float skin, glm::vec3 p) {
+    if (p.z < 50 || p.y > -30 || p.y < -90) {
+        return skin;
+    }
+    const float t = std::clamp((-40 - p.y) / 38, -0.2F, 1.2F);
+    const float outside = p.x - (19.5F + 13.5F * t - 1.5F * arch(t));
+    const float present = smooth_step(-0.15F, 0.2F, t) * smooth_step(1.1F, 0.45F, t);
+    return skin - present * (0.9F * smooth_step(-5, 5, outside) * smooth_step(17, 5, outside) -
+                             0.5F * bell(outside + 1, 2.6F));
+}
+
+} // namespace
+
+float add_face(float skull, glm::vec3 p) {
+    if (skull > 45 || skull < -30) {
+        return skull;
+    }
+    float skin = skull;
+    for (const Lump& lump : lumps) {
+        skin -= lump_height(lump, p);
+    }
+    skin = add_nasolabial_fold(skin, p);
+    skin = add_mouth(skin, p);
+    skin = add_eye(skin, p);
+    return add_nose(skin, p);
+}
+
+} // namespace stimuli::head

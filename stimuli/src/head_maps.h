@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include <glm/glm.hpp>
+#include <renderer/scene/model.h>
+
+#include "head_surface.h"
+
+namespace stimuli::head {
+
+constexpr int map_size = 1024; ///< texels along u and along v
+
+/// Where each texel's centre lies on the head, and how it stretches there.
+class Atlas {
+public:
+    explicit Atlas(const Surface& surface);
+
+    const glm::vec3& place_mm(int x, int y) const { return places_[index(x, y)]; }
+    /// Steps in millimetres to the next texel along u and along v (u wraps around).
+    glm::vec3 along_u(int x, int y) const { return 0.5F * (place_mm(x + 1, y) - place_mm(x - 1, y)); }
+    glm::vec3 along_v(int x, int y) const;
+    /// The longer side of a texel, mm: detail finer than twice this cannot be shown.
+    float texel_mm(int x, int y) const {
+        return std::max(glm::length(along_u(x, y)), glm::length(along_v(x, y)));
+    }
+
+    /// Position of a texel in an array of map_size rows; x wraps around, y is kept inside.
+    static std::size_t index(int x, int y);
+
+private:
+    std::vector<glm::vec3> places_;
+};
+
+/// Skin colour, sRGB.
+renderer::scene::ImagePtr albedo_map(const Atlas& atlas);
+/// Pores, fine lines, creases and hairs as tangent-space normals, green along +v.
+renderer::scene::ImagePtr normal_map(const Atlas& atlas);
+/// Perceptual roughness in green; red and blue are 0.
+renderer::scene::ImagePtr roughness_map(const Atlas& atlas);
+
+/// Hair over 0 (none) to 1: brows with their single hairs, and the lashes below the lid line.
+/// `folded` is the place on the half head, `place` the place itself.
+class Noise;
+float brow_hair(const Noise& noise, glm::vec3 folded, glm::vec3 place_mm);
+float lashes(const Noise& noise, glm::vec3 folded, glm::vec3 place_mm);
+/// 1 on the red of the lips, 0 off it.
+float on_lips(glm::vec3 folded);
+
+} // namespace stimuli::head

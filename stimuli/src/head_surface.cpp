@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#include "head_surface.h"
+
+#include <array>
+#include <numbers>
+
+#include "head_field.h"
+#include "head_landmarks.h"
+
+namespace stimuli::head {
+namespace {
+
+constexpr int columns = 216, rows = 138; // 59,184 triangles
+
+/// Where the rays of one row start on the head's axis, and how steeply they rise in front and behind. The
+/// rows fan out over the crown and below the chin, and lie nearly level elsewhere; no two rays meet before
+/// the skin.
+struct RayRow {
+    float v;
+    float start_y, start_z;
+    float front_rise_deg, back_rise_deg;
+};
+
+constexpr std::array<RayRow, 13> ray_rows{{
+    {0.000F, 44, -10, 90, 90},
+    {0.055F, 43, -10, 48, 48},
+    {0.100F, 40, -9, 20, 20},
+    {0.160F, 30, -8, 4, 4},
+    {0.330F, 3, -6, 0, 0},
+    {0.640F, -50, -4, -3, 0},
+    {0.780F, -66, -6, -20, -5},
+    {0.855F, -84, -12, -36, -8},
+    {0.895F, -118, -24, -20, -6},
+    {0.925F, -158, -34, -6, -3},
+    {0.965F, -222, -46, 4, 4},
+    {0.985F, -246, -46, -2, -2},
+    {1.000F, -247, -46, -90, -90},
+}};
+
+/// The row of rays at v: cubic Hermite pieces whose slopes do not overshoot [FritschButland1984].
+RayRow ray_row_at(float v) {
+    std::size_t i = 0;
+    while (i + 2 < ray_rows.size() && v > ray_rows[i + 1].v) {
+        ++i;
+    }
+    const auto at = [&](float RayRow::*field) {
+        const auto secant = [&](std::size_t k) {
+            return (ray_rows[k + 1].*field - ray_rows[k].*field) / (ray_rows[k + 1].v - ray_rows[k].v);
+        };
+        const auto slope = [&](std::size_t k) {
+            if (k == 0 || k + 1 == ray_rows.size()) {
+                return secant(k == 0 ? 0 : k - 1);
+            }
+            const float before = secant(k - 1), after = secant(k);
+            return before * after > 0 ? 2 * before * after / (before + after) : 0.0F;
+        };
+        const float length = ray_rows[i + 1].v - ray_rows[i].v, t = (v - ray_rows[i].v) / length;
+        const float t2 = t * t, t3 = t2 * t;
+        return (2 * t3 - 3 * t2 + 1) * ray_rows[i].*field + (t3 - 2 * t2 + t) * length * slope(i) +
+               (3 * t2 - 2 * t3) * ray_rows[i + 1].*field + (t3 - t2) * length * slope(i + 1);
+    };
+    return {v, at(&RayRow::start_y), at(&RayRow::start_z), at(&RayRow::front_rise_deg),
+            at(&RayRow::back_rise_deg)};
+}
+
+/// How many columns a degree around the head deserves: many on the face, more at the ears, few behind.
+float column_density(float azimuth_deg) {
+    const float side = std::abs(azimuth_deg);
+    return 0.26F + 0.74F * std::exp(-std::pow(side / 70, 4.0F)) + 0.2F * bell(side, 18) +
+           1.0F * bell(side - 95, 15);
+}
+
+/// Azimuths of the columns in radians, from -pi to pi, 0 in front.
+std::vector<float> column_azimuths() {
+    // Integrate the density over fine steps and invert it.
+    constexpr int steps = 7200;
+    std::vector<double> sum(steps + 1, 0.0);
+    for (int k = 0; k < steps; ++k) {
+        const float middle_deg = -180 + 360 * (static_cast<float>(k) + 0.5F) / steps;
+        sum[static_cast<std::size_t>(k) + 1] =
+            sum[static_cast<std::size_t>(k)] + static_cast<double>(column_density(middle_deg));
+    }
+    std::vector<float> azimuths;
+    std::size_t k = 0;
+    for (int i = 0; i <= columns; ++i) {
+        const double wanted = sum.back() * i / columns;
+        while (k + 2 < sum.size() && sum[k + 1] < wanted) {
+            ++k;
+        }
+        const double part = static_cast<double>(k) + (wanted - sum[k]) / (sum[k + 1] - sum[k]);
+        azimuths.push_back(static_cast<float>(std::numbers::pi * (2 * part / steps - 1)));
+    }
+    return azimuths;
+}
+
+/// The outermost place on a ray where the field changes its sign.
+glm::vec3 outermost_skin(glm::vec3 start, glm::vec3 direction) {
+    // Walk in from outside in steps that cannot leap over a thin part, then halve the last step.
+    float outside = 260, inside = 0;
+    for (float at = outside; at > 0;) {
+        const float distance = field(start + direction * at);
+        if (distance < 0) {
+            inside = at;
+            break;
+        }
+        outside = at;
+        at -= std::max(0.5F * distance, 0.4F);
+    }
+    for (int i = 0; i < 16; ++i) {
+        const float middle = 0.5F * (inside + outside);
+        (field(start + direction * middle) < 0 ? inside : outside) = middle;
+    }
+    return start + direction * (0.5F * (inside + outside));
+}
+
+/// Move the ears' places towards the middle of their neighbours, a few times, so that the rims lose the steps
+/// that the grid's columns cut into them.
+void smooth_ears(Surface& surface, const std::vector<bool>& on_ear) {
+    constexpr int passes = 5;
+    for (int pass = 0; pass < passes; ++pass) {
+        const Surface before = surface;
+        for (int j = 1; j < surface.rows; ++j) {
+            for (int i = 1; i < surface.columns; ++i) {
+                const std::size_t k = static_cast<std::size_t>(j * (columns + 1) + i);
+                if (on_ear[k]) {
+                    surface.place_mm[k] =
+                        0.5F * before.at(i, j) + 0.125F * (before.at(i - 1, j) + before.at(i + 1, j) +
+                                                           before.at(i, j - 1) + before.at(i, j + 1));
+                }
+            }
+        }
+    }
+}
+
+} // namespace
+
+Surface head_surface() {
+    Surface surface{columns, rows, {}};
+    std::vector<bool> on_ear(static_cast<std::size_t>((columns + 1) * (rows + 1)), false);
+    const std::vector<float> azimuths = column_azimuths();
+    for (int j = 0; j <= rows; ++j) {
+        const RayRow row = ray_row_at(static_cast<float>(j) / rows);
+        const glm::vec3 start(0, row.start_y, row.start_z);
+        const bool pole = j == 0 || j == rows;
+        for (int i = 0; i < columns; ++i) {
+            if (i > 0 && pole) {
+                surface.place_mm.push_back(surface.place_mm.back());
+                continue;
+            }
+            const float azimuth = azimuths[static_cast<std::size_t>(i)];
+            const float front = 0.5F + 0.5F * std::cos(azimuth);
+            const float rise = glm::radians(glm::mix(row.back_rise_deg, row.front_rise_deg, front));
+            const glm::vec3 direction = pole ? glm::vec3(0, j == 0 ? 1 : -1, 0)
+                                             : glm::vec3(std::cos(rise) * std::sin(azimuth), std::sin(rise),
+                                                         std::cos(rise) * std::cos(azimuth));
+            const glm::vec3 skin = outermost_skin(start, direction), place = add_ear(skin);
+            on_ear[surface.place_mm.size()] = place != skin;
+            surface.place_mm.push_back(place);
+        }
+        surface.place_mm.push_back(surface.at(0, j));
+    }
+    smooth_ears(surface, on_ear);
+    return surface;
+}
+
+renderer::scene::Mesh head_mesh(const Surface& surface) {
+    renderer::scene::Mesh mesh;
+    mesh.has_uv = true;
+    const auto vertex = [&](int i, int j) {
+        // A pole is one place with a vertex for each column, half way along its cell's edge.
+        const float shift = j == 0 || j == surface.rows ? 0.5F : 0.0F;
+        renderer::scene::Vertex result;
+        result.position_mm = surface.at(i, j);
+        result.uv = {(static_cast<float>(i) + shift) / static_cast<float>(surface.columns),
+                     static_cast<float>(j) / static_cast<float>(surface.rows)};
+        return result;
+    };
+    const auto index = [&](int i, int j) {
+        return static_cast<std::uint32_t>(j == 0 ? i : j * (surface.columns + 1) + i - 1);
+    };
+    for (int j = 0; j <= surface.rows; ++j) {
+        const bool pole = j == 0 || j == surface.rows;
+        for (int i = 0; i < surface.columns + (pole ? 0 : 1); ++i) {
+            mesh.vertices.push_back(vertex(i, j));
+        }
+    }
+    for (int j = 0; j < surface.rows; ++j) {
+        for (int i = 0; i < surface.columns; ++i) {
+            if (j + 1 < surface.rows) {
+                mesh.indices.insert(mesh.indices.end(), {index(i, j), index(i, j + 1), index(i + 1, j + 1)});
+            }
+            if (j > 0) {
+                const int below = j + 1 < surface.rows ? i + 1 : i;
+                mesh.indices.insert(mesh.indices.end(), {index(i, j), index(below, j + 1), index(i + 1, j)});
+            }
+        }
+    }
+    renderer::scene::compute_normals(mesh);
+    renderer::scene::compute_tangents(mesh);
+
+    // Give both sides of the seam the same tangent.
+    for (int j = 1; j < surface.rows; ++j) {
+        auto &first = mesh.vertices[index(0, j)], &last = mesh.vertices[index(surface.columns, j)];
+        const glm::vec3 sum = glm::vec3(first.tangent) + glm::vec3(last.tangent);
+        if (glm::length(sum) > 0.5F) {
+            first.tangent = last.tangent = glm::vec4(glm::normalize(sum), first.tangent.w);
+        }
+    }
+    return mesh;
+}
+
+} // namespace stimuli::head

@@ -1,0 +1,286 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#include "render_set.h"
+
+#include <algorithm>
+#include <chrono>
+#include <deque>
+#include <future>
+
+#include <fmt/format.h>
+
+#include <renderer/gl/context.h>
+#include <renderer/scene/gltf.h>
+#include <stimuli/head.h>
+#include <support/error.h>
+#include <support/file.h>
+#include <support/progress.h>
+
+#include "contact_sheet.h"
+#include "design.h"
+#include "manifest.h"
+#include "picture_file.h"
+#include "recipe.h"
+
+namespace stimuli {
+namespace {
+
+namespace fs = std::filesystem;
+namespace passes = renderer::passes;
+namespace scene = renderer::scene;
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+
+// Frames that wait to be encoded; each holds up to 32 MB at the size of the paper's stimuli.
+constexpr std::size_t longest_queue = 3;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+scene::Model load_model(const study::Protocol& protocol, const std::optional<fs::path>& file) {
+    const study::ModelSettings& settings = protocol.model;
+    fs::path path;
+    if (file) {
+        path = *file;
+    } else if (settings.file) {
+        path = protocol.file.parent_path() / *settings.file;
+    } else {
+        return builtin_head();
+    }
+    scene::ModelOverrides overrides;
+    const auto beside = [&](const std::optional<fs::path>& texture) -> std::optional<fs::path> {
+        return texture ? std::optional<fs::path>(path.parent_path() / *texture) : std::nullopt;
+    };
+    overrides.base_color = beside(settings.base_color);
+    overrides.normal = beside(settings.normal);
+    overrides.roughness = beside(settings.roughness);
+    overrides.metres_per_unit = settings.metres_per_unit;
+    overrides.flip_v = settings.flip_v;
+    return scene::load_gltf(path, overrides);
+}
+
+/// An image that has been rendered and is being encoded.
+struct Encoding {
+    std::size_t outcome;
+    std::future<std::pair<std::string, double>> digest_and_seconds;
+};
+
+/// One run of the command.
+class SetRenderer {
+public:
+    explicit SetRenderer(const SetRequest& request)
+        : request_(request), protocol_(study::read_protocol(request.protocol_file)),
+          selection_(selection(request.only, request.shard, protocol_)) {}
+
+    SetReport run() {
+        const auto start = Clock::now();
+        timed("loading the model", [&] {
+            model_ = load_model(protocol_, request_.model_file);
+            for (scene::Mesh& mesh : model_.meshes) {
+                scene::refine(mesh, static_cast<float>(protocol_.model.longest_edge_mm));
+            }
+        });
+        check_model();
+        timed("making a context", [&] { context_.emplace(renderer::gl::Context::headless()); });
+        report_.driver = renderer::gl::driver_info().renderer;
+        report_.model = model_.name;
+        support::make_writable_folder(request_.out);
+        Manifest manifest(request_.out, header());
+        plan(manifest);
+        render(manifest);
+        finish(manifest);
+        report_.seconds = seconds_since(start);
+        return std::move(report_);
+    }
+
+private:
+    template <typename Work>
+    void timed(const char* what, const Work& work) {
+        const auto start = Clock::now();
+        work();
+        add_cost(what, seconds_since(start));
+    }
+    void add_cost(const char* what, double seconds) {
+        report_.costs[what].seconds += seconds;
+        ++report_.costs[what].runs;
+    }
+
+    /// Refuse what the renderer would trip over, before anything is written.
+    void check_model() const {
+        const bool wants_ts =
+            std::find(protocol_.shaders.begin(), protocol_.shaders.end(), "ts") != protocol_.shaders.end();
+        for (const scene::Mesh& mesh : model_.meshes) {
+            if (wants_ts && !mesh.has_uv) {
+                throw support::input_error(
+                    "{}: expected texture coordinates (TEXCOORD_0) for the shader ts, found a "
+                    "mesh without",
+                    model_.name);
+            }
+        }
+    }
+
+    Json header() const {
+        return {{"program", "skin2afc"},
+                {"protocol", {{"name", protocol_.name}, {"digest", protocol_.digest}}},
+                {"model", {{"name", model_.name}, {"digest", model_.digest}}},
+                {"renderer", report_.driver}};
+    }
+
+    /// Decide for each image whether it must be rendered, and forget those that are out of date.
+    void plan(Manifest& manifest) {
+        const scene::HeadFrame head = head_frame(protocol_, model_);
+        items_ = design(protocol_);
+        const auto entries = manifest.entries();
+        std::map<std::string, std::string> recipe_digests;
+        for (const Item& item : items_) {
+            recipes_.push_back(recipe(item, protocol_, model_, head, report_.driver));
+            recipe_digests[item.name()] = recipes_.back().digest;
+            report_.outcomes.push_back(
+                {item.name(), reason(item, recipes_.back(), entries), false, 0, {}, {}});
+        }
+        manifest.keep_only(recipe_digests);
+    }
+
+    /// Why an image has to be rendered; "up to date" or "not selected" if it has not.
+    std::string reason(const Item& item, const Recipe& recipe,
+                       const std::map<std::string, Json>& entries) const {
+        if (!selection_.keeps(item, protocol_)) {
+            return "not selected";
+        }
+        if (request_.force) {
+            return "forced";
+        }
+        const auto found = entries.find(item.name());
+        if (found == entries.end()) {
+            return "new";
+        }
+        if (found->second["recipe"].get<std::string>() != recipe.digest) {
+            return changed_parameters(found->second, recipe);
+        }
+        const fs::path file = request_.out / (item.name() + ".png");
+        if (!fs::exists(file) ||
+            support::sha256_of_file(file) != found->second["sha256"].get<std::string>()) {
+            return "its file is missing or changed";
+        }
+        if (request_.exr && !fs::exists(request_.out / (item.name() + ".exr"))) {
+            return "its linear image is missing";
+        }
+        return "up to date";
+    }
+
+    static std::string changed_parameters(const Json& entry, const Recipe& recipe) {
+        std::string names;
+        for (const auto& [key, value] : recipe.parameters.items()) {
+            const bool same = entry.contains("parameters") && entry["parameters"].contains(key) &&
+                              entry["parameters"][key] == value;
+            if (!same) {
+                names += (names.empty() ? "" : ", ") + key;
+            }
+        }
+        return "changed: " + names;
+    }
+
+    static bool to_render(const Outcome& outcome) {
+        return outcome.reason != "up to date" && outcome.reason != "not selected";
+    }
+
+    void render(Manifest& manifest) {
+        const auto count = static_cast<std::size_t>(
+            std::count_if(report_.outcomes.begin(), report_.outcomes.end(), to_render));
+        if (count == 0) {
+            return;
+        }
+        progress_.emplace("rendering", count);
+        passes::Pipeline pipeline(model_, look(protocol_), methods(protocol_));
+        for (std::size_t i = 0; i < items_.size(); ++i) {
+            Outcome& outcome = report_.outcomes[i];
+            if (!to_render(outcome)) {
+                continue;
+            }
+            const auto start = Clock::now();
+            const Recipe& recipe = recipes_[i];
+            passes::Frame frame = pipeline.render(recipe.shader, recipe.camera, recipe.light, request_.exr);
+            outcome.rendered = true;
+            outcome.milliseconds = 1000 * seconds_since(start);
+            outcome.passes_run = frame.passes_run;
+            outcome.passes_reused = frame.passes_reused;
+            encode(i, std::move(frame));
+            drain(manifest, longest_queue);
+        }
+        timed("waiting for files", [&] { drain(manifest, 0); });
+        for (const auto& [node, cost] : pipeline.costs()) {
+            report_.costs[node] = cost;
+        }
+        report_.warnings = pipeline.warnings();
+        progress_.reset();
+    }
+
+    /// Write the image's files on another thread while the next image is rendered.
+    void encode(std::size_t i, passes::Frame frame) {
+        const fs::path stem = request_.out / items_[i].name();
+        queue_.push_back(
+            {i, std::async(std::launch::async, [stem, exr = request_.exr, frame = std::move(frame)] {
+                 const auto start = Clock::now();
+                 if (exr) {
+                     write_exr(stem.string() + ".exr", frame);
+                 }
+                 std::string digest = write_png(stem.string() + ".png", frame);
+                 return std::pair(std::move(digest), seconds_since(start));
+             })});
+    }
+
+    /// Enter finished images into the manifest, waiting until at most `longest` are left in the queue.
+    void drain(Manifest& manifest, std::size_t longest) {
+        while (queue_.size() > longest) {
+            Encoding encoding = std::move(queue_.front());
+            queue_.pop_front();
+            const auto [digest, seconds] = encoding.digest_and_seconds.get();
+            add_cost("encoding (beside rendering)", seconds);
+            const Item& item = items_[encoding.outcome];
+            const Outcome& outcome = report_.outcomes[encoding.outcome];
+            manifest.add(item.name(), {{"shader", item.shader},
+                                       {"distance", item.distance.name},
+                                       {"azimuth_deg", item.azimuth_deg},
+                                       {"file", item.name() + ".png"},
+                                       {"sha256", digest},
+                                       {"recipe", recipes_[encoding.outcome].digest},
+                                       {"milliseconds", outcome.milliseconds},
+                                       {"passes_run", outcome.passes_run},
+                                       {"passes_skipped", outcome.passes_reused},
+                                       {"parameters", recipes_[encoding.outcome].parameters}});
+            progress_->step(item.name());
+        }
+    }
+
+    /// Once the folder holds the whole set, draw its contact sheet.
+    void finish(const Manifest& manifest) {
+        const auto entries = manifest.entries();
+        for (const Item& item : items_) {
+            report_.missing += entries.contains(item.name()) ? 0 : 1;
+        }
+        const bool rendered = std::any_of(report_.outcomes.begin(), report_.outcomes.end(),
+                                          [](const Outcome& outcome) { return outcome.rendered; });
+        if (report_.missing == 0 && (rendered || !fs::exists(request_.out / "contact_sheet.png"))) {
+            timed("contact sheet", [&] { write_contact_sheet(request_.out, protocol_); });
+        }
+    }
+
+    const SetRequest& request_;
+    study::Protocol protocol_;
+    Selection selection_;
+    scene::Model model_;
+    std::optional<renderer::gl::Context> context_;
+    std::vector<Item> items_;
+    std::vector<Recipe> recipes_; // as items_
+    std::deque<Encoding> queue_;
+    std::optional<support::Progress> progress_;
+    SetReport report_;
+};
+
+} // namespace
+
+SetReport render_set(const SetRequest& request) { return SetRenderer(request).run(); }
+
+} // namespace stimuli

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#include <stats/command.h>
+
+#include <cstdlib>
+
+#include <CLI/CLI.hpp>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <support/error.h>
+
+#include "figure8.h"
+#include "study_folder.h"
+
+namespace {
+
+/// What "skin2afc analyse STUDY --out DIR" prints.
+std::string analyse(const fs::path& study, const fs::path& out) {
+    CLI::App app("test");
+    stats::add_command(app);
+    testing::internal::CaptureStdout();
+    try {
+        std::vector<std::string> reversed{out.string(), "--out", study.string(), "analyse"};
+        app.parse(reversed);
+    } catch (...) {
+        testing::internal::GetCapturedStdout();
+        throw;
+    }
+    return testing::internal::GetCapturedStdout();
+}
+
+std::size_t files_in(const fs::path& folder) {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+TEST(AnalyseTest, writesItsFourFilesAndNothingElse) {
+    const StudyFolder folder;
+    folder.write_published_logs();
+    const fs::path out = folder.path() / "a" / "b";
+    const std::string text = analyse(folder.path(), out);
+    EXPECT_NE(text.find("TS - Zoom - 110\u00b0"), std::string::npos);
+    EXPECT_EQ(text.find("SIMULATED"), std::string::npos);
+    EXPECT_EQ(files_in(out), 4u);
+    EXPECT_NE(read_file(out / "report.html").find("</html>"), std::string::npos);
+
+    const auto summary = nlohmann::json::parse(read_file(out / "summary.json"));
+    EXPECT_EQ(summary["simulated"], false);
+    EXPECT_EQ(summary["participants"].size(), 16u);
+    EXPECT_EQ(summary["trials"], 16 * 72);
+    EXPECT_EQ(summary["conditions"].size(), 36u);
+    EXPECT_EQ(summary["significant"]["raw"], 25);
+    EXPECT_EQ(summary["conditions"][35]["chi_square"],
+              0.5); // ss_full, zoom, 150 degrees [Jimenez2009, Table II]
+}
+
+TEST(AnalyseTest, theSummaryTellsWhatWasLeftOut) {
+    const StudyFolder folder;
+    folder.write_log("01", log_text("rn") + "3\t");
+    folder.write_log("01", log_text("r"), "_run-02");
+    analyse(folder.path(), folder.path() / "out");
+    const auto summary = nlohmann::json::parse(read_file(folder.path() / "out" / "summary.json"));
+    EXPECT_EQ(summary["unanswered"], 1);
+    EXPECT_EQ(summary["runs_used"][0]["file"], "sub-01/beh/sub-01_task-skin2afc_beh.tsv");
+    EXPECT_EQ(summary["runs_left_out"][0]["why"], "incomplete, 1 of 2 trials; run 1 counts");
+    EXPECT_EQ(summary["lines_set_aside"][0]["line"], 4);
+}
+
+TEST(AnalyseTest, simulatedDataSaySoInEveryOutput) {
+    const StudyFolder folder;
+    folder.write_published_logs();
+    folder.write("dataset_description.json", R"({"Name": "S", "Simulated": true})");
+    const fs::path out = folder.path() / "out";
+    EXPECT_TRUE(analyse(folder.path(), out).starts_with("SIMULATED DATA"));
+    EXPECT_NE(read_file(out / "figure8.svg").find("SIMULATED DATA"), std::string::npos);
+    EXPECT_NE(read_file(out / "report.html").find("class=\"banner\""), std::string::npos);
+    EXPECT_NE(read_file(out / "table2.tsv").find("\ttrue\n"), std::string::npos);
+    EXPECT_EQ(nlohmann::json::parse(read_file(out / "summary.json"))["simulated"], true);
+}
+
+TEST(AnalyseTest, badInputWritesNothing) {
+    const StudyFolder folder;
+    const fs::path out = folder.path() / "out";
+    EXPECT_THROW(analyse(folder.path() / "missing", out), support::InputError);
+    EXPECT_THROW(analyse(folder.path(), out), support::InputError);
+    folder.write_log("01", log_text("r"));
+    folder.write("stimuli/contact_sheet.png", "no picture");
+    EXPECT_THROW(analyse(folder.path(), out), support::InputError);
+    EXPECT_FALSE(fs::exists(out));
+}
+
+TEST(AnalyseTest, aFileInTheFoldersPlaceIsRefused) {
+    const StudyFolder folder;
+    folder.write_log("01", log_text("r"));
+    EXPECT_THROW(analyse(folder.path(), folder.write("out", "mine")), support::InputError);
+    EXPECT_EQ(read_file(folder.path() / "out"), "mine");
+}
+
+TEST(AnalyseTest, aMissingGnuplotIsOneClearFailure) {
+    const StudyFolder folder;
+    folder.write_log("01", log_text("r"));
+    const std::string path = std::getenv("PATH");
+    ::setenv("PATH", folder.path().c_str(), 1);
+    const std::string message =
+        message_of<support::Failure>([&] { analyse(folder.path(), folder.path() / "out"); });
+    ::setenv("PATH", path.c_str(), 1);
+    EXPECT_NE(message.find("gnuplot: expected the program on PATH"), std::string::npos) << message;
+    EXPECT_FALSE(fs::exists(folder.path() / "out"));
+}
+
+TEST(AnalyseTest, figureShowsEveryShaderAndPlace) {
+    const StudyFolder folder;
+    folder.write_published_logs();
+    const std::string svg = stats::figure8(make_table(stats::read_study(folder.path())), "");
+    for (const char* part : {"No SSS", "SS Jittered", "SS Full", "0\u00b0", "150\u00b0", "Far", "Near",
+                             "Zoom", "Proportion choosing TS"}) {
+        EXPECT_NE(svg.find(part), std::string::npos) << part;
+    }
+    // 3 shaders at 4 azimuths and 3 distances, and 3 in the legend; each marker has its shape's number.
+    for (const char* marker : {"'#gpPt4' transform", "'#gpPt6' transform", "'#gpPt8' transform"}) {
+        std::size_t count = 0;
+        for (auto at = svg.find(marker); at != std::string::npos; at = svg.find(marker, at + 1)) {
+            ++count;
+        }
+        EXPECT_GE(count, 8u) << marker;
+    }
+}
+
+} // namespace

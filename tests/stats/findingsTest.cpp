@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#include "findings.h"
+
+#include <gtest/gtest.h>
+
+#include <stats/table.h>
+
+#include "study_folder.h"
+
+namespace {
+
+using stats::Row;
+
+/// Rows of one test shader at azimuths 0, 1, ...; counts of 32 that chose the reference.
+std::vector<Row> rows_of(const std::vector<std::int64_t>& counts) {
+    std::vector<stats::Tally> tallies;
+    for (const auto count : counts) {
+        tallies.push_back({32, count});
+    }
+    const auto figures = stats::figures_of(tallies);
+    std::vector<Row> rows;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        rows.push_back({{"ts", "ss_full", "far", static_cast<double>(i)}, tallies[i], figures[i]});
+    }
+    return rows;
+}
+
+TEST(FindingsTest, sayWhatThePaperSays) {
+    const StudyFolder folder;
+    folder.write_published_logs();
+    const auto sentences = findings(make_table(stats::read_study(folder.path())));
+    ASSERT_EQ(sentences.size(), 4u);
+    EXPECT_TRUE(sentences[0].starts_with("No SSS differs from TS in all 12 conditions")) << sentences[0];
+    EXPECT_TRUE(sentences[1].starts_with("SS Jittered differs from TS in all 12 conditions")) << sentences[1];
+    EXPECT_TRUE(sentences[2].starts_with(
+        "SS Full shows no significant difference from TS in 11 of 12 conditions (p > "
+        "0.05); it differs in Zoom - 110\u00b0 (p = 0.034)."))
+        << sentences[2];
+    EXPECT_NE(sentences[3].find("25 uncorrected, 24 after Holm's correction, 25 after"), std::string::npos)
+        << sentences[3];
+}
+
+TEST(FindingsTest, sayWhichShaderWasPreferred) {
+    // Both conditions differ, in opposite directions: 32 of 32 and 2 of 32.
+    const auto text = findings(rows_of({32, 2})).front();
+    EXPECT_NE(text.find("in 1 of the conditions that differ, SS Full was the one preferred"),
+              std::string::npos)
+        << text;
+    const auto both = findings(rows_of({0, 2})).front();
+    EXPECT_NE(both.find("; SS Full was the one preferred there"), std::string::npos) << both;
+    EXPECT_EQ(findings(rows_of({32, 30})).front().find("preferred"), std::string::npos);
+}
+
+TEST(FindingsTest, nameTheSmallerPart) {
+    const auto mostly = findings(rows_of({32, 32, 16})).front();
+    EXPECT_NE(mostly.find("in 2 of 3 conditions (p \u2264 0.05), but not in Far - 2\u00b0 (p = 1.000)"),
+              std::string::npos)
+        << mostly;
+    const auto none = findings(rows_of({16, 17}));
+    EXPECT_NE(none.front().find("no significant difference from TS in any of the 2 conditions"),
+              std::string::npos);
+    EXPECT_NE(none.back().find("None is significant"), std::string::npos) << none.back();
+    EXPECT_EQ(findings(rows_of({16})).size(), 1u);
+}
+
+TEST(FindingsTest, simulatedNoticeCountsTheRuns) {
+    stats::Study study;
+    study.runs.resize(3);
+    study.runs[0].used = study.runs[1].used = true;
+    EXPECT_EQ(stats::simulated_notice(study), "");
+    study.runs[2].simulated = true; // does not count
+    EXPECT_EQ(stats::simulated_notice(study), "");
+    study.runs[0].simulated = true;
+    EXPECT_EQ(stats::simulated_notice(study), "SIMULATED DATA: 1 of the 2 runs are simulated.");
+    study.simulated = true;
+    EXPECT_EQ(stats::simulated_notice(study), "SIMULATED DATA: no person gave these answers.");
+}
+
+} // namespace

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#include "report.h"
+
+#include <regex>
+
+#include <gtest/gtest.h>
+
+#include <stats/table.h>
+#include <support/error.h>
+
+#include "study_folder.h"
+
+namespace {
+
+using namespace std::string_literals;
+
+const std::string smallest_png_end = "\0\0\0\0IEND\xae\x42\x60\x82"s;
+
+std::string report_of(const StudyFolder& folder, const std::optional<std::string>& picture = {}) {
+    const auto study = stats::read_study(folder.path());
+    return stats::report_html(study, make_table(study), "<?xml?><svg>figure</svg>", picture);
+}
+
+// RFC 4648, section 10.
+TEST(ReportTest, base64HasReferenceValues) {
+    EXPECT_EQ(stats::base64(""), "");
+    EXPECT_EQ(stats::base64("f"), "Zg==");
+    EXPECT_EQ(stats::base64("fo"), "Zm8=");
+    EXPECT_EQ(stats::base64("foo"), "Zm9v");
+    EXPECT_EQ(stats::base64("foobar"), "Zm9vYmFy");
+    EXPECT_EQ(stats::base64("\xff\xfe\x00"s), "//4A");
+}
+
+TEST(ReportTest, hostileTextIsEscaped) {
+    const StudyFolder folder;
+    folder.write_log("01", log_text("rt"));
+    folder.write("dataset_description.json", R"({"Name": "<script>alert('x')</script> \"&\" \u001b[1m"})");
+    const std::string html = report_of(folder);
+    EXPECT_EQ(html.find("<script"), std::string::npos);
+    EXPECT_EQ(html.find('\x1b'), std::string::npos);
+    EXPECT_NE(html.find("&lt;script&gt;alert(&#39;x&#39;)&lt;/script&gt; &quot;&amp;&quot;"),
+              std::string::npos);
+}
+
+TEST(ReportTest, isOneSelfContainedPage) {
+    const StudyFolder folder;
+    folder.write_published_logs();
+    const std::string html = report_of(folder, "picture"s);
+    EXPECT_EQ(html.find("<?xml"), std::string::npos);
+    EXPECT_NE(html.find("<svg>figure</svg>"), std::string::npos);
+    EXPECT_NE(html.find("src=\"data:image/png;base64,cGljdHVyZQ==\""), std::string::npos);
+    EXPECT_FALSE(std::regex_search(html, std::regex("(src|href)=\"(?!data:)|url\\(|@import")));
+    EXPECT_LT(html.find("SS Full shows no significant difference"),
+              html.find("<table")); // the answer comes first
+}
+
+TEST(ReportTest, marksTheNonSignificantCells) {
+    // Table II has 36 cells, of which the paper sets 11 p-values (and their chi-values) in bold.
+    const StudyFolder folder;
+    folder.write_published_logs();
+    const std::string html = report_of(folder);
+    const std::string table = html.substr(html.find("<table class=\"table2\">"));
+    const std::string first = table.substr(0, table.find("</table>"));
+    const std::regex marked("<td class=\"alike\">[^<]*&nbsp;\\*</td>");
+    EXPECT_EQ(std::distance(std::sregex_iterator(first.begin(), first.end(), marked), std::sregex_iterator()),
+              11);
+    EXPECT_NE(first.find("<td>4.5</td><td>0.034</td>"), std::string::npos);
+}
+
+TEST(ReportTest, tellsWhatWasLeftOut) {
+    const StudyFolder folder;
+    folder.write_log("01", log_text("rtn"));
+    folder.write_log("02", log_text("rt") + "3\tts");
+    folder.write_log("03", log_text("r"));
+    folder.write_log("03", log_text("rtr"), "_run-02");
+    fs::create_directories(folder.path() / "sub-04");
+    const std::string html = report_of(folder);
+    for (const char* part :
+         {"1 of 8 trials without an answer",
+          "sub-02_task-skin2afc_beh.tsv: counted though incomplete: 2 of 3 trials",
+          "line 4 set aside: no line break at its end",
+          "sub-03_task-skin2afc_beh.tsv: not counted: incomplete, 1 of 3 trials; run 2 counts",
+          "sub-04: no log", "holds no stimuli/contact_sheet.png"}) {
+        EXPECT_NE(html.find(part), std::string::npos) << part;
+    }
+}
+
+TEST(ReportTest, simulatedDataCarryABanner) {
+    const StudyFolder real, simulated;
+    real.write_log("01", log_text("rt"));
+    EXPECT_EQ(report_of(real).find("SIMULATED"), std::string::npos);
+    simulated.write_log("01", log_text("rt"));
+    simulated.write("dataset_description.json", R"({"Simulated": true})");
+    const std::string html = report_of(simulated);
+    EXPECT_NE(html.find("<div class=\"banner\" role=\"alert\">SIMULATED DATA"), std::string::npos);
+    EXPECT_NE(html.find("<figcaption>SIMULATED DATA"), std::string::npos);
+}
+
+TEST(ReportTest, onlyWholePngsAreShown) {
+    const StudyFolder folder;
+    EXPECT_FALSE(stats::read_png(folder.path() / "missing.png"));
+    const std::string whole = "\x89PNG\r\n\x1a\n...."s + smallest_png_end;
+    EXPECT_EQ(stats::read_png(folder.write("whole.png", whole)), whole);
+    for (const std::string& text : {""s, "hello"s, whole.substr(0, whole.size() - 1), whole.substr(1)}) {
+        const auto file = folder.write("bad.png", text);
+        EXPECT_NE(
+            message_of<support::InputError>([&] { stats::read_png(file); }).find("expected a whole PNG"),
+            std::string::npos);
+    }
+}
+
+} // namespace

@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "head_under_test.h"
+
+namespace {
+
+using renderer::scene::Model;
+using renderer::scene::Vertex;
+
+/// The mesh with vertices at the same place made one.
+struct Welded {
+    std::vector<glm::vec3> places;
+    std::vector<std::array<std::size_t, 3>> triangles;
+};
+
+Welded weld() {
+    Welded result;
+    std::map<glm::vec3, std::size_t, PlaceOrder> numbers;
+    std::vector<std::size_t> number_of;
+    for (const Vertex& vertex : mesh().vertices) {
+        const auto [entry, added] = numbers.emplace(vertex.position_mm, result.places.size());
+        if (added) {
+            result.places.push_back(vertex.position_mm);
+        }
+        number_of.push_back(entry->second);
+    }
+    for (std::size_t i = 0; i < mesh().indices.size(); i += 3) {
+        result.triangles.push_back({number_of[mesh().indices[i]], number_of[mesh().indices[i + 1]],
+                                    number_of[mesh().indices[i + 2]]});
+    }
+    return result;
+}
+
+/// Whether the segment passes through the triangle's inside. [MoellerTrumbore1997]
+bool pierces(glm::vec3 from, glm::vec3 to, glm::vec3 a, glm::vec3 b, glm::vec3 c) {
+    const glm::vec3 direction = to - from, side = glm::cross(direction, c - a);
+    const float determinant = glm::dot(b - a, side);
+    if (std::abs(determinant) < 1e-9F) {
+        return false;
+    }
+    // Leave out touches within rounding: single precision holds a place of 200 mm to 2e-5 mm.
+    constexpr float margin = 1e-4F;
+    const glm::vec3 rel = from - a, normal = glm::cross(rel, b - a);
+    const float u = glm::dot(rel, side) / determinant, v = glm::dot(direction, normal) / determinant;
+    const float along = glm::dot(c - a, normal) / determinant;
+    return u > margin && v > margin && u + v < 1 - margin && along > margin && along < 1 - margin;
+}
+
+TEST(HeadTest, isAClosedSurfaceWithoutHandles) {
+    const Welded welded = weld();
+    std::set<std::pair<std::size_t, std::size_t>> edges;
+    for (const auto& triangle : welded.triangles) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t from = triangle[k], to = triangle[(k + 1) % 3];
+            ASSERT_NE(from, to) << "degenerate triangle";
+            ASSERT_TRUE(edges.emplace(from, to).second) << "two triangles run along an edge the same way";
+        }
+    }
+    for (const auto& [from, to] : edges) {
+        ASSERT_TRUE(edges.count({to, from}) == 1) << "open edge at y = " << welded.places[from].y << " mm";
+    }
+    // Euler: V - E + F = 2 for a sphere.
+    const auto vertices = static_cast<long>(welded.places.size());
+    const auto faces = static_cast<long>(welded.triangles.size());
+    EXPECT_EQ(vertices - static_cast<long>(edges.size()) / 2 + faces, 2);
+}
+
+TEST(HeadTest, hasAsManyTrianglesAsPromised) {
+    EXPECT_GE(mesh().indices.size() / 3, 20000U);
+    EXPECT_LE(mesh().indices.size() / 3, 60000U);
+}
+
+TEST(HeadTest, hasTheSizeOfAnAdultHead) {
+    // The chin is the lowest place in front: no part of the neck or chest reaches 60 mm ahead of the axis.
+    float vertex_y = -1000, chin_y = 1000, half_width = 0, front = -1000, back = 1000;
+    for (const Vertex& vertex : mesh().vertices) {
+        const glm::vec3& p = vertex.position_mm;
+        vertex_y = std::max(vertex_y, p.y);
+        chin_y = p.z > 60 ? std::min(chin_y, p.y) : chin_y;
+        half_width = p.y > 30 ? std::max(half_width, std::abs(p.x)) : half_width;
+        front = p.y > 8 && p.y < 35 ? std::max(front, p.z) : front;
+        back = p.y > 0 ? std::min(back, p.z) : back;
+    }
+    // The lowest vertex misses the chin's lowest point by up to the sagitta of a 2 mm cell on a 10 mm radius,
+    // 0.05 mm.
+    EXPECT_NEAR(vertex_y - chin_y, 232, 0.2);
+    EXPECT_NEAR(vertex_y + chin_y, 0, 0.2) << "the eyes, at y = 0, are half way";
+    // Breadth and length vary between adults with standard deviations of 6 and 7 mm; half of that is kept.
+    EXPECT_NEAR(2 * half_width, 152, 3);
+    EXPECT_NEAR(front - back, 197, 3.5);
+}
+
+TEST(HeadTest, turnsItsSurfaceOutwards) {
+    double volume_mm3 = 0;
+    for (std::size_t i = 0; i < mesh().indices.size(); i += 3) {
+        const Vertex &a = mesh().vertices[mesh().indices[i]], &b = mesh().vertices[mesh().indices[i + 1]],
+                     &c = mesh().vertices[mesh().indices[i + 2]];
+        const glm::vec3 normal = glm::cross(b.position_mm - a.position_mm, c.position_mm - a.position_mm);
+        volume_mm3 +=
+            static_cast<double>(glm::dot(a.position_mm, glm::cross(b.position_mm, c.position_mm))) / 6;
+        for (const Vertex* corner : {&a, &b, &c}) {
+            ASSERT_GT(glm::dot(normal, corner->normal), 0)
+                << corner->position_mm.x << ' ' << corner->position_mm.y << ' ' << corner->position_mm.z;
+            // Single precision: a few units in the last place.
+            ASSERT_NEAR(glm::length(corner->normal), 1, 1e-5);
+        }
+    }
+    // More than an adult's head alone, about 4 litres, and less than the box around the bust.
+    const renderer::scene::Bounds box = renderer::scene::bounds(head());
+    const glm::dvec3 size(box.high - box.low);
+    EXPECT_GT(volume_mm3, 4e6);
+    EXPECT_LT(volume_mm3, size.x * size.y * size.z);
+}
+
+TEST(HeadTest, doesNotPassThroughItself) {
+    const Welded welded = weld();
+    constexpr float cell_mm = 5;
+    std::map<std::tuple<int, int, int>, std::vector<std::size_t>> cells;
+    const auto corner = [&](std::size_t triangle, std::size_t k) {
+        return welded.places[welded.triangles[triangle][k]];
+    };
+    for (std::size_t t = 0; t < welded.triangles.size(); ++t) {
+        const glm::ivec3 low(
+            glm::floor(glm::min(glm::min(corner(t, 0), corner(t, 1)), corner(t, 2)) / cell_mm));
+        const glm::ivec3 high(
+            glm::floor(glm::max(glm::max(corner(t, 0), corner(t, 1)), corner(t, 2)) / cell_mm));
+        for (int x = low.x; x <= high.x; ++x) {
+            for (int y = low.y; y <= high.y; ++y) {
+                for (int z = low.z; z <= high.z; ++z) {
+                    cells[{x, y, z}].push_back(t);
+                }
+            }
+        }
+    }
+    for (const auto& [cell, inside] : cells) {
+        for (const std::size_t s : inside) {
+            for (const std::size_t t : inside) {
+                const auto &a = welded.triangles[s], &b = welded.triangles[t];
+                if (std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end()) {
+                    continue; // neighbours
+                }
+                for (std::size_t k = 0; k < 3; ++k) {
+                    ASSERT_FALSE(pierces(corner(s, k), corner(s, (k + 1) % 3), corner(t, 0), corner(t, 1),
+                                         corner(t, 2)))
+                        << corner(s, k).x << ' ' << corner(s, k).y << ' ' << corner(s, k).z;
+                }
+            }
+        }
+    }
+}
+
+TEST(HeadTest, unfoldsWithoutOverlap) {
+    constexpr int size = 1024;
+    std::vector<int> covered(static_cast<std::size_t>(size) * size, 0);
+    for (std::size_t i = 0; i < mesh().indices.size(); i += 3) {
+        std::array<glm::dvec2, 3> corners{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const glm::vec2 uv = mesh().vertices[mesh().indices[i + k]].uv;
+            ASSERT_TRUE(uv.x >= 0 && uv.x <= 1 && uv.y >= 0 && uv.y <= 1) << uv.x << ' ' << uv.y;
+            corners[k] = glm::dvec2(uv) * static_cast<double>(size);
+        }
+        // Count the texel centres strictly inside; one on an edge belongs to no triangle, so it cannot be
+        // counted twice.
+        const glm::dvec2 low = glm::min(glm::min(corners[0], corners[1]), corners[2]);
+        const glm::dvec2 high = glm::max(glm::max(corners[0], corners[1]), corners[2]);
+        for (int y = static_cast<int>(low.y); y < std::min(size, static_cast<int>(high.y) + 1); ++y) {
+            for (int x = static_cast<int>(low.x); x < std::min(size, static_cast<int>(high.x) + 1); ++x) {
+                const glm::dvec2 centre(x + 0.5, y + 0.5);
+                int left = 0, right = 0;
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const glm::dvec2 edge = corners[(k + 1) % 3] - corners[k], rel = centre - corners[k];
+                    const double side = edge.x * rel.y - edge.y * rel.x;
+                    left += side > 1e-9 ? 1 : 0;
+                    right += side < -1e-9 ? 1 : 0;
+                }
+                covered[static_cast<std::size_t>(y * size + x)] += left == 3 || right == 3 ? 1 : 0;
+            }
+        }
+    }
+    EXPECT_LE(*std::max_element(covered.begin(), covered.end()), 1);
+    // Texel centres on edges are rare; the poles leave half of two rows of cells, 1.5 % of the square.
+    EXPECT_GT(std::count(covered.begin(), covered.end(), 1), size * size * 95 / 100);
+}
+
+TEST(HeadTest, spendsItsTexelsOnTheFace) {
+    // The face (from the front, brows to chin, as wide as the cheekbones) is a tenth of the surface.
+    double face_uv = 0, all_uv = 0, face_mm2 = 0, all_mm2 = 0;
+    for (std::size_t i = 0; i < mesh().indices.size(); i += 3) {
+        const Vertex &a = mesh().vertices[mesh().indices[i]], &b = mesh().vertices[mesh().indices[i + 1]],
+                     &c = mesh().vertices[mesh().indices[i + 2]];
+        const glm::vec2 s = b.uv - a.uv, t = c.uv - a.uv;
+        const double uv = static_cast<double>(std::abs(s.x * t.y - s.y * t.x)) / 2;
+        const double mm2 = static_cast<double>(glm::length(
+                               glm::cross(b.position_mm - a.position_mm, c.position_mm - a.position_mm))) /
+                           2;
+        const bool face = a.position_mm.z > 30 && a.position_mm.y > -115 && a.position_mm.y < 30;
+        face_uv += face ? uv : 0;
+        face_mm2 += face ? mm2 : 0;
+        all_uv += uv;
+        all_mm2 += mm2;
+    }
+    EXPECT_GT(face_uv / face_mm2, 2 * all_uv / all_mm2);
+}
+
+TEST(HeadTest, isTheSameEveryTime) {
+    const Model again = stimuli::builtin_head();
+    EXPECT_EQ(again.digest, head().digest);
+    EXPECT_EQ(again.digest.size(), 64U);
+    EXPECT_EQ(again.materials.front().base_color->pixels, head().materials.front().base_color->pixels);
+}
+
+} // namespace
