@@ -32,18 +32,19 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* footer = R"(DESCRIPTION
-  Reads the logs STUDY/sub-*/beh/sub-*_task-skin2afc[_run-NN]_beh.tsv, tests in each condition whether the answers
-  differ from half and half (one-sample chi-square, df 1), and prints the result as a table: configurations down,
-  test shaders across. Conditions without a significant difference (p > 0.05) carry a star.
+  Reads the logs STUDY/sub-*/beh/sub-*_task-skin2afc[_run-NN]_beh.tsv, tests in each condition whether the
+  answers differ from half and half (one-sample chi-square, df 1), and prints the result as a table:
+  configurations down, test shaders across. Conditions without a significant difference (p > 0.05) carry a
+  star.
 
-  Of each participant's runs the last complete one counts or, where none is complete, the last that holds trials.
-  Complete is a run with the trials its sidecar (.json beside the log, field TrialsPlanned) plans or, without one,
-  with as many as the longest log. Answers n/a are left out; a last line that was cut off is set aside.
-  The report lists what was left out. Analyses of simulated data say so.
+  Of each participant's runs the last complete one counts or, where none is complete, the last that holds
+  trials. Complete is a run with the trials its sidecar (.json beside the log, field TrialsPlanned) plans or,
+  without one, with as many as the longest log. Answers n/a are left out; a last line that was cut off is set
+  aside. The report lists what was left out. Analyses of simulated data say so.
 
 FILES WRITTEN
-  DIR/table2.tsv    one row a condition: counts, proportion, chi-square, its p, exact binomial p, p after Holm,
-                    q after Benjamini and Hochberg, Wilson 95 % interval; every number reads back exactly
+  DIR/table2.tsv    one row a condition: counts, proportion, chi-square, its p, exact binomial p, p after
+                    Holm, q after Benjamini and Hochberg, Wilson 95 % interval; numbers read back exactly
   DIR/summary.json  runs and lines used and left out, findings, and the table
   DIR/figure8.svg   proportion choosing the reference by azimuth and by distance, drawn by gnuplot
   DIR/report.html   all of it on one self-contained page, with STUDY/stimuli/contact_sheet.png if it is there

@@ -41,7 +41,7 @@ constexpr std::array<std::string_view, column_count> column_names{
 constexpr std::string_view missing = "n/a", byte_order_mark = "\xef\xbb\xbf";
 constexpr std::size_t longest_name = 64;
 // Far above the longest session; a larger file is no log.
-constexpr std::uintmax_t largest_log = std::uintmax_t{64} << 20;
+constexpr std::uintmax_t largest_log = std::uintmax_t{16} << 20;
 
 /// The text in quotes, cut where it would fill the screen.
 std::string quoted(std::string_view text) {

@@ -213,7 +213,7 @@ std::optional<std::string> read_png(const std::filesystem::path& file) {
     if (!std::filesystem::exists(std::filesystem::symlink_status(file, ignored))) {
         return std::nullopt;
     }
-    // A PNG starts with its signature and ends with an empty IEND chunk [PNG, sections 5.2 and 11.2.5].
+    // A PNG starts with its signature and ends with an empty IEND chunk [PNG2003, sections 5.2 and 11.2.5].
     std::string bytes = support::read_text(file, largest_picture);
     if (!bytes.starts_with("\x89PNG\r\n\x1a\n"sv) || !bytes.ends_with("\0\0\0\0IEND\xae\x42\x60\x82"sv)) {
         throw support::input_error("{}: expected a whole PNG picture, found something else", file.string());

@@ -16,7 +16,7 @@ namespace stats {
 /// Text for HTML: the characters that mean markup are escaped, control characters are made visible.
 std::string html_text(const std::string& text);
 
-/// Bytes in base64 with padding [RFC4648, section 4].
+/// Bytes in base64 with padding [Josefsson2006, section 4].
 std::string base64(std::string_view bytes);
 
 /// The bytes of a PNG file, if there is one. Throws support::InputError for a file that is no whole PNG.

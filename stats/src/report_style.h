@@ -25,7 +25,8 @@ li { overflow-wrap: anywhere; margin: .3rem 0; }
 .answer { font-size: 1.05rem; padding-left: 1.1rem; }
 .scroll, .card { overflow-x: auto; }
 .scroll th:first-child { position: sticky; left: 0; background: var(--paper); }
-table { border-collapse: separate; border-spacing: 0; font-variant-numeric: tabular-nums; width: 100%; font-size: .92rem; }
+table { border-collapse: separate; border-spacing: 0; width: 100%; font-size: .92rem;
+        font-variant-numeric: tabular-nums; }
 th, td { padding: .3rem .7rem; text-align: right; white-space: nowrap; border-bottom: 1px solid var(--line); }
 th { font-weight: 600; }
 .details { font-size: .82rem; }
@@ -39,11 +40,12 @@ figure { margin: 1rem 0; }
 .card { background: #fff; border: 1px solid var(--line); border-radius: 8px; padding: .5rem; }
 .card svg, .card img { display: block; width: 100%; min-width: 36rem; height: auto; }
 @media print {
-  :root { color-scheme: light; --ink: #000; --soft: #444; --paper: #fff; --line: #bbb; --mark: #eee; --mark-ink: #000;
-          --alarm: #b00020; }
+  :root { color-scheme: light; --ink: #000; --soft: #444; --paper: #fff; --line: #bbb;
+          --mark: #eee; --mark-ink: #000; --alarm: #b00020; }
   body { font-size: 10pt; } main { max-width: none; padding: 0; }
   .banner { background: #fff; color: #b00020; border: 2px solid #b00020; }
-  h2 { break-after: avoid; } figure, .table2, tr { break-inside: avoid; } .scroll, .card { overflow: visible; }
+  h2 { break-after: avoid; } figure, .table2, tr { break-inside: avoid; }
+  .scroll, .card { overflow: visible; }
   .card svg, .card img { min-width: 0; } .scroll th:first-child { position: static; }
   table { font-size: 8.5pt; } th, td { padding: .15rem .4rem; }
 }

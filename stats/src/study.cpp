@@ -53,8 +53,10 @@ std::optional<T> field(const json& object, const fs::path& file, const char* key
         return std::nullopt;
     }
     if (!((*found).*is_expected)()) {
+        // An array or object may be too deep to be shown.
         throw support::input_error("{}: {}: expected {}, found {}", file.string(), key, expected,
-                                   found->dump(-1, ' ', false, json::error_handler_t::replace).substr(0, 60));
+                                   found->is_structured() ? std::string(found->type_name())
+                                                          : found->dump().substr(0, 60));
     }
     return found->get<T>();
 }
@@ -180,9 +182,9 @@ void choose_runs(std::vector<Run>& runs) {
 }
 
 Study read_study(const fs::path& folder) {
-    if (!is_folder(folder)) {
+    if (std::error_code ignored; !is_folder(folder)) {
         throw support::input_error("{}: expected a study's folder, found {}", folder.string(),
-                                   fs::exists(folder) ? "a file" : "nothing");
+                                   fs::exists(folder, ignored) ? "a file" : "nothing");
     }
     Study study;
     const fs::path description = folder / "dataset_description.json";

@@ -24,7 +24,8 @@ float pore_density(glm::vec3 p) {
     const float forehead = 0.5F * std::exp(-square(p.x / 50) - square((p.y - 40) / 30));
     const float chin = 0.5F * std::exp(-square(p.x / 28) - square((p.y + 98) / 18));
     const float lids = std::exp(-square((p.x - 32) / 17) - square((p.y + 1) / 11));
-    return 0.12F + front * std::min(nose + cheek + forehead + chin, 1.0F) * (1 - 0.5F * lids);
+    const float rest = 0.12F * smooth_step(71, 66, p.x);
+    return rest + front * std::min(nose + cheek + forehead + chin, 1.0F) * (1 - 0.5F * lids);
 }
 
 /// Dent the height map where pores open.
@@ -147,7 +148,7 @@ renderer::scene::ImagePtr normal_map(const Atlas& atlas) {
             const auto at = [&](int dx, int dy) { return height_mm[Atlas::index(x + dx, y + dy)]; };
             const float slope_u = 0.5F * (at(1, 0) - at(-1, 0)) / step_u;
             const float slope_v = (0.5F * (at(0, 1) - at(0, -1)) - shear * slope_u) / step_v;
-            const glm::vec3 normal = glm::normalize(glm::vec3(-slope_u, -slope_v, 1));
+            const glm::vec3 normal = glm::normalize(glm::vec3(-slope_u, slope_v, 1));
             for (int k = 0; k < 3; ++k) {
                 image->pixels.push_back(
                     static_cast<std::uint8_t>(std::lround((normal[k] * 0.5F + 0.5F) * 255)));

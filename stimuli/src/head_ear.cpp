@@ -16,7 +16,7 @@ constexpr float root_half_length = 17, root_half_height = 31;
 constexpr float rim_share = 0.60F;                         // of the root's radius
 constexpr float stand_off = 0.50F;                         // radians between the ear and the head
 constexpr float full_rim_thickness = 4, roll_share = 0.4F; // the rim rolls over in this part of the ring
-constexpr float ear_height = 62, ear_width = 35;           // [Farkas1994]
+constexpr float ear_height = 62, ear_width = 35;
 
 /// Reach of the ear's outline from the root's centre; `back` and `up` are a direction's cosines.
 float outline(float back, float up) {
@@ -31,13 +31,13 @@ float outline(float back, float up) {
 /// Height of the outer face above the ear's plane: helix, antihelix, the bowl, tragus, lobe. `s` runs from 0
 /// at the centre to 1 at the rim.
 float relief(float s, float back, float up) {
-    const float angle_x = back, lobe = smooth_step(-0.55F, -0.85F, up);
+    const float lobe = smooth_step(-0.55F, -0.85F, up);
     const float rolled = smooth_step(-0.75F, -0.35F, back + 0.5F * up) * (1 - lobe);
-    const float helix = 3.2F * rolled * bell(s - 0.90F, 0.09F);
-    const float gutter = -1.8F * rolled * bell(s - 0.76F, 0.075F);
-    const float antihelix = 3.2F * smooth_step(-0.1F, 0.5F, angle_x) * (1 - lobe) * bell(s - 0.58F, 0.11F);
+    const float helix = 4.4F * rolled * bell(s - 0.93F, 0.13F);
+    const float gutter = -3.4F * rolled * bell(s - 0.70F, 0.11F);
+    const float antihelix = 4.2F * smooth_step(-0.1F, 0.5F, back) * (1 - lobe) * bell(s - 0.47F, 0.13F);
     const glm::vec2 at(s * back, s * up);
-    const float bowl = -9.0F * std::exp(-square((at.x + 0.02F) / 0.38F) - square((at.y + 0.16F) / 0.30F));
+    const float bowl = -9.0F * std::exp(-square((at.x + 0.12F) / 0.34F) - square((at.y + 0.16F) / 0.30F));
     const float upper_hollow =
         -2.0F * std::exp(-square((at.x - 0.05F) / 0.25F) - square((at.y - 0.50F) / 0.16F));
     const float tragus = 3.2F * std::exp(-square((at.x + 0.78F) / 0.22F) - square((at.y + 0.12F) / 0.16F));

@@ -19,8 +19,8 @@ struct Section {
     float exponent;        ///< of the front half; 2 is an ellipse, more is squarer
 };
 
-/// Sections from the widest place of the skull downwards. Widths and lengths follow the means of adult heads:
-/// 152 mm across the skull, 138 mm across the cheekbones, 105 mm across the jaw, 197 mm long [Farkas1994].
+/// Sections from the widest place of the skull downwards, for a head that comes out 152 mm wide and 197 mm
+/// long.
 constexpr float top_y = 42, spacing_y = 20;
 constexpr std::array<Section, 9> sections{{
     {76.0F, -14, 93.5F, -102, 2.25F}, // y = 42, the widest place of the skull

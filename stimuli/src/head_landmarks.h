@@ -12,7 +12,7 @@
 /// Curves are functions of |x|, for the head is symmetric before its asymmetry is added.
 namespace stimuli::head {
 
-constexpr float vertex_y = 116, chin_y = -116; ///< 232 mm, the eyes half way [Farkas1994]
+constexpr float vertex_y = 116, chin_y = -116; ///< 232 mm apart, the eyes half way
 constexpr glm::vec3 eye_centre{31.8F, -1.5F, 70.6F};
 constexpr float eye_radius = 12.4F;
 constexpr float eye_inner_x = 16.5F, eye_outer_x = 46.0F;

@@ -43,7 +43,7 @@ float brow_hair(const Noise& noise, glm::vec3 folded, glm::vec3 place_mm) {
     }
     // The brow is a band, full from its inner end to the arch and thinning outwards.
     const float s = (folded.x - 9) / 48, offset = folded.y - brow_y(folded.x);
-    const float half_height = 5.2F - 2.8F * std::clamp(s, 0.0F, 1.0F);
+    const float half_height = 5.6F - 2.8F * std::clamp(s, 0.0F, 1.0F);
     const float band =
         bell(offset, half_height) * smooth_step(-0.06F, 0.16F, s) * smooth_step(1.04F, 0.6F, s);
 
@@ -54,7 +54,7 @@ float brow_hair(const Noise& noise, glm::vec3 folded, glm::vec3 place_mm) {
         const float along = std::cos(angle) * folded.x + std::sin(angle) * folded.y;
         const float across = std::cos(angle) * folded.y - std::sin(angle) * folded.x;
         const float side = place_mm.x < 0 ? 40.0F : 0.0F;
-        const float strand = noise({across * 1.6F, along * 0.16F + side, turn * 50});
+        const float strand = noise({across * 1.45F, along * 0.16F + side, turn * 50});
         hair = std::max(hair, smooth_step(0.0F, 0.45F, strand + 0.6F * band - 0.28F));
     }
     return std::min(band * (0.25F + 0.85F * hair), 1.0F);

@@ -10,6 +10,7 @@
 #include <glm/glm.hpp>
 #include <renderer/scene/model.h>
 
+#include "head_noise.h"
 #include "head_surface.h"
 
 namespace stimuli::head {
@@ -39,14 +40,13 @@ private:
 
 /// Skin colour, sRGB.
 renderer::scene::ImagePtr albedo_map(const Atlas& atlas);
-/// Pores, fine lines, creases and hairs as tangent-space normals, green along +v.
+/// Pores, fine lines, creases and hairs as tangent-space normals, green up the image, along -v.
 renderer::scene::ImagePtr normal_map(const Atlas& atlas);
 /// Perceptual roughness in green; red and blue are 0.
 renderer::scene::ImagePtr roughness_map(const Atlas& atlas);
 
 /// Hair over 0 (none) to 1: brows with their single hairs, and the lashes below the lid line.
-/// `folded` is the place on the half head, `place` the place itself.
-class Noise;
+/// `folded` is the place on the half head, `place_mm` the place itself.
 float brow_hair(const Noise& noise, glm::vec3 folded, glm::vec3 place_mm);
 float lashes(const Noise& noise, glm::vec3 folded, glm::vec3 place_mm);
 /// 1 on the red of the lips, 0 off it.

@@ -4,6 +4,7 @@
 #include "head_surface.h"
 
 #include <array>
+#include <cstdint>
 #include <numbers>
 
 #include "head_field.h"
@@ -11,6 +12,8 @@
 
 namespace stimuli::head {
 namespace {
+
+using renderer::scene::Mesh;
 
 constexpr int columns = 216, rows = 138; // 59,184 triangles
 
@@ -118,7 +121,7 @@ glm::vec3 outermost_skin(glm::vec3 start, glm::vec3 direction) {
 /// Move the ears' places towards the middle of their neighbours, a few times, so that the rims lose the steps
 /// that the grid's columns cut into them.
 void smooth_ears(Surface& surface, const std::vector<bool>& on_ear) {
-    constexpr int passes = 5;
+    constexpr int passes = 6;
     for (int pass = 0; pass < passes; ++pass) {
         const Surface before = surface;
         for (int j = 1; j < surface.rows; ++j) {
@@ -129,6 +132,27 @@ void smooth_ears(Surface& surface, const std::vector<bool>& on_ear) {
                         0.5F * before.at(i, j) + 0.125F * (before.at(i - 1, j) + before.at(i + 1, j) +
                                                            before.at(i, j - 1) + before.at(i, j + 1));
                 }
+            }
+        }
+    }
+}
+
+/// Number of the vertex at a corner of the grid; the first row holds one vertex fewer than the others.
+std::uint32_t vertex_index(const Surface& surface, int i, int j) {
+    return static_cast<std::uint32_t>(j == 0 ? i : j * (surface.columns + 1) + i - 1);
+}
+
+/// Two triangles a cell, one at the poles.
+void add_triangles(Mesh& mesh, const Surface& surface) {
+    const auto index = [&](int i, int j) { return vertex_index(surface, i, j); };
+    for (int j = 0; j < surface.rows; ++j) {
+        for (int i = 0; i < surface.columns; ++i) {
+            if (j + 1 < surface.rows) {
+                mesh.indices.insert(mesh.indices.end(), {index(i, j), index(i, j + 1), index(i + 1, j + 1)});
+            }
+            if (j > 0) {
+                const int below = j + 1 < surface.rows ? i + 1 : i;
+                mesh.indices.insert(mesh.indices.end(), {index(i, j), index(below, j + 1), index(i + 1, j)});
             }
         }
     }
@@ -166,43 +190,27 @@ Surface head_surface() {
 }
 
 renderer::scene::Mesh head_mesh(const Surface& surface) {
-    renderer::scene::Mesh mesh;
+    Mesh mesh;
     mesh.has_uv = true;
-    const auto vertex = [&](int i, int j) {
-        // A pole is one place with a vertex for each column, half way along its cell's edge.
-        const float shift = j == 0 || j == surface.rows ? 0.5F : 0.0F;
-        renderer::scene::Vertex result;
-        result.position_mm = surface.at(i, j);
-        result.uv = {(static_cast<float>(i) + shift) / static_cast<float>(surface.columns),
-                     static_cast<float>(j) / static_cast<float>(surface.rows)};
-        return result;
-    };
-    const auto index = [&](int i, int j) {
-        return static_cast<std::uint32_t>(j == 0 ? i : j * (surface.columns + 1) + i - 1);
-    };
     for (int j = 0; j <= surface.rows; ++j) {
+        // A pole is one place with a vertex for each column, half way along its cell's edge.
         const bool pole = j == 0 || j == surface.rows;
         for (int i = 0; i < surface.columns + (pole ? 0 : 1); ++i) {
-            mesh.vertices.push_back(vertex(i, j));
+            renderer::scene::Vertex vertex;
+            vertex.position_mm = surface.at(i, j);
+            vertex.uv = {(static_cast<float>(i) + (pole ? 0.5F : 0.0F)) / static_cast<float>(surface.columns),
+                         static_cast<float>(j) / static_cast<float>(surface.rows)};
+            mesh.vertices.push_back(vertex);
         }
     }
-    for (int j = 0; j < surface.rows; ++j) {
-        for (int i = 0; i < surface.columns; ++i) {
-            if (j + 1 < surface.rows) {
-                mesh.indices.insert(mesh.indices.end(), {index(i, j), index(i, j + 1), index(i + 1, j + 1)});
-            }
-            if (j > 0) {
-                const int below = j + 1 < surface.rows ? i + 1 : i;
-                mesh.indices.insert(mesh.indices.end(), {index(i, j), index(below, j + 1), index(i + 1, j)});
-            }
-        }
-    }
+    add_triangles(mesh, surface);
     renderer::scene::compute_normals(mesh);
     renderer::scene::compute_tangents(mesh);
 
     // Give both sides of the seam the same tangent.
     for (int j = 1; j < surface.rows; ++j) {
-        auto &first = mesh.vertices[index(0, j)], &last = mesh.vertices[index(surface.columns, j)];
+        auto &first = mesh.vertices[vertex_index(surface, 0, j)],
+             &last = mesh.vertices[vertex_index(surface, surface.columns, j)];
         const glm::vec3 sum = glm::vec3(first.tangent) + glm::vec3(last.tangent);
         if (glm::length(sum) > 0.5F) {
             first.tangent = last.tangent = glm::vec4(glm::normalize(sum), first.tangent.w);

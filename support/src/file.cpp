@@ -139,7 +139,8 @@ void write_atomically(const fs::path& path, std::string_view content) {
 void make_writable_folder(const fs::path& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
-    if (!fs::is_directory(folder)) {
+    std::error_code unknown;
+    if (!fs::is_directory(folder, unknown)) {
         throw input_error("{}: expected a folder that can be made or written, found {}", folder.string(),
                           error ? error.message() : std::string("something else of that name"));
     }

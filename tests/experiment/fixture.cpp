@@ -79,7 +79,8 @@ study::Protocol small_protocol(const fs::path& folder, const std::string& azimut
 }
 
 std::array<std::uint8_t, 3> pixel_of(int picture, int x, int y) {
-    // A position code in red and green, the picture's number in blue; no value is that of a page or of the grey.
+    // A position code in red and green, the picture's number in blue; no value is that of a page or of the
+    // grey.
     return {static_cast<std::uint8_t>(x % 100), static_cast<std::uint8_t>(y % 100),
             static_cast<std::uint8_t>(200 + 3 * picture)};
 }
@@ -146,7 +147,8 @@ std::vector<Row> read_log(const fs::path& path) {
 }
 
 fs::path log_path(const fs::path& study, const std::string& label, int run) {
-    return study / ("sub-" + label) / "beh" / fmt::format("sub-{}_task-skin2afc_run-{:02d}_beh.tsv", label, run);
+    return study / ("sub-" + label) / "beh" /
+           fmt::format("sub-{}_task-skin2afc_run-{:02d}_beh.tsv", label, run);
 }
 
 pid_t start_program(const std::vector<std::string>& arguments, const fs::path& folder) {

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -38,12 +39,13 @@ std::vector<std::string> lines_of(const fs::path& path);
 std::vector<std::string> files_below(const fs::path& folder);
 
 /// A protocol of 320x200 pixels, no_sss against ts, one distance, these azimuths: two trials an azimuth.
-study::Protocol small_protocol(const fs::path& folder, const std::string& azimuths = "[0]", double grey_s = 0.3);
+study::Protocol small_protocol(const fs::path& folder, const std::string& azimuths = "[0]",
+                               double grey_s = 0.3);
 
 /// The red, green and blue of a test picture at a pixel; every picture has its own.
 std::array<std::uint8_t, 3> pixel_of(int picture, int x, int y);
-/// Write a picture for each stimulus of the protocol, numbered in the order of shaders, distances, azimuths; and
-/// the manifest. Returns the manifest's content.
+/// Write a picture for each stimulus of the protocol, numbered in the order of shaders, distances, azimuths;
+/// and the manifest. Returns the manifest's content.
 nlohmann::json write_stimuli(const fs::path& folder, const study::Protocol& protocol);
 
 /// A log's rows by column name.

@@ -70,11 +70,12 @@ TEST(ObserverTest, tossesAFairCoinAsNull) {
 
 TEST(ObserverTest, followsTheLastEntryOfAFileThatMatches) {
     const fixture::TemporaryFolder folder;
-    fixture::write(folder / "o.toml", "default = 0.6\n"
-                                      "[[condition]]\ntest = \"no_sss\"\nreference_proportion = 0.9\n"
-                                      "[[condition]]\ndistance = \"far\"\nreference_proportion = 0.7\n"
-                                      "[[condition]]\ntest = \"no_sss\"\ndistance = \"far\"\nazimuth_deg = 60\n"
-                                      "reference_proportion = 0.0\n");
+    fixture::write(folder / "o.toml",
+                   "default = 0.6\n"
+                   "[[condition]]\ntest = \"no_sss\"\nreference_proportion = 0.9\n"
+                   "[[condition]]\ndistance = \"far\"\nreference_proportion = 0.7\n"
+                   "[[condition]]\ntest = \"no_sss\"\ndistance = \"far\"\nazimuth_deg = 60\n"
+                   "reference_proportion = 0.0\n");
     const Observer observer((folder / "o.toml").string(), published());
     EXPECT_EQ(observer.reference_proportion("ss_full", "near", 0), 0.6);
     EXPECT_EQ(observer.reference_proportion("no_sss", "near", 0), 0.9);
@@ -125,7 +126,8 @@ TEST(SimulatedStageTest, choosesTheReferenceAsOftenAsItsObserverDoes) {
 
 TEST(SimulatedStageTest, hasCertainObserversAnswerWithoutFail) {
     const fixture::TemporaryFolder folder;
-    fixture::write(folder / "o.toml", "default = 1\n[[condition]]\ntest = \"no_sss\"\nreference_proportion = 0");
+    fixture::write(folder / "o.toml",
+                   "default = 1\n[[condition]]\ntest = \"no_sss\"\nreference_proportion = 0");
     experiment::SimulatedStage stage(Observer((folder / "o.toml").string(), published()), 3);
     for (int i = 0; i < 100; ++i) {
         stage.show(experiment::Stimulus{"ts", "near", 0});

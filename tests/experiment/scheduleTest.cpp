@@ -20,7 +20,8 @@ using experiment::Trial;
 
 study::Protocol published() { return study::read_protocol(SKIN2AFC_PROTOCOLS "/jimenez2009.toml"); }
 
-// [Jimenez2009, Sec. 5.3 and Appendix]: 72 pairs, 3 shaders x 3 distances x 4 angles, each pair in both orders.
+// [Jimenez2009, Sec. 5.3 and Appendix]: 72 pairs, 3 shaders x 3 distances x 4 angles, each pair in both
+// orders.
 TEST(ScheduleTest, showsEachPublishedConditionOnceInEitherOrder) {
     const Schedule schedule = make_schedule(published(), 1);
     ASSERT_EQ(schedule.size(), 72U);
@@ -45,12 +46,13 @@ TEST(ScheduleTest, isTheSameForTheSameSeedAndAnotherForAnother) {
     EXPECT_NE(make_schedule(published(), 5), make_schedule(published(), 6));
 }
 
-// The order was worked out by a second program, in Python, from the C++ standard's description of seed_seq and
-// mt19937_64 ([rand.util.seedseq], [rand.eng.mers]), SHA-256, and Fisher-Yates.
+// The order was worked out by a second program, in Python, from the C++ standard's description of seed_seq
+// and mt19937_64 ([rand.util.seedseq], [rand.eng.mers]), SHA-256, and Fisher-Yates.
 TEST(ScheduleTest, isTheOrderThatTheStandardsDefine) {
     const Schedule schedule = make_schedule(published(), 2009);
     const auto trial = [](const char* test, const char* distance, int azimuth_deg, bool reference_first) {
-        return Trial{"ts", test, distance, azimuth_deg, reference_first ? "ts" : test, reference_first ? test : "ts"};
+        return Trial{
+            "ts", test, distance, azimuth_deg, reference_first ? "ts" : test, reference_first ? test : "ts"};
     };
     EXPECT_EQ(schedule[0], trial("ss_jittered", "far", 60, false));
     EXPECT_EQ(schedule[1], trial("ss_full", "near", 0, false));

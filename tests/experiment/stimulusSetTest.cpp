@@ -22,7 +22,7 @@ protected:
     }
 
     experiment::StimulusSet open(int width = 320) const {
-        return {set_, stimuli_of(make_schedule(protocol_, 1)), width, 200};
+        return {set_, experiment::stimuli_of(experiment::make_schedule(protocol_, 1)), width, 200};
     }
 
     /// The error after the manifest was changed.
@@ -48,11 +48,9 @@ protected:
     }
 
     fixture::TemporaryFolder folder_;
-    fs::path set_ = folder_ / "stimuli";
+    std::filesystem::path set_ = folder_ / "stimuli";
     study::Protocol protocol_;
     json manifest_;
-
-    using fs = void;
 };
 
 TEST_F(StimulusSetTest, findsThePictureOfEachStimulus) {
@@ -113,7 +111,7 @@ TEST_F(StimulusSetTest, refusesWhatIsNoPicture) {
     // SHA-256 of the text, by coreutils' sha256sum.
     EXPECT_TRUE(contains(error_with([](json& m) {
                              m["images"][1]["sha256"] =
-                                 "1d1a2ff3ac1b0a8a4a1a0cc1a1e2d0c4b8a8e1f3c7b6d5e4f3a2b1c0d9e8f7a6";
+                                 "bf891ea46ead4993e89aa7da02ab8c23dd50f29e9aae64607105363a5f070e03";
                          }),
                          "ts_near_000.png: expected"));
 }

@@ -40,6 +40,9 @@ TEST(FindingsTest, sayWhatThePaperSays) {
         << sentences[2];
     EXPECT_NE(sentences[3].find("25 uncorrected, 24 after Holm's correction, 25 after"), std::string::npos)
         << sentences[3];
+    EXPECT_NE(sentences[3].find("Not significant after Holm's: SS Full against TS at Zoom - 110\u00b0"),
+              std::string::npos)
+        << sentences[3];
 }
 
 TEST(FindingsTest, sayWhichShaderWasPreferred) {

@@ -3,8 +3,6 @@
 
 #include "report.h"
 
-#include <regex>
-
 #include <gtest/gtest.h>
 
 #include <stats/table.h>
@@ -23,7 +21,15 @@ std::string report_of(const StudyFolder& folder, const std::optional<std::string
     return stats::report_html(study, make_table(study), "<?xml?><svg>figure</svg>", picture);
 }
 
-// RFC 4648, section 10.
+int count_of(const std::string& part, const std::string& text) {
+    int count = 0;
+    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+        ++count;
+    }
+    return count;
+}
+
+// [Josefsson2006, section 10]
 TEST(ReportTest, base64HasReferenceValues) {
     EXPECT_EQ(stats::base64(""), "");
     EXPECT_EQ(stats::base64("f"), "Zg==");
@@ -51,7 +57,9 @@ TEST(ReportTest, isOneSelfContainedPage) {
     EXPECT_EQ(html.find("<?xml"), std::string::npos);
     EXPECT_NE(html.find("<svg>figure</svg>"), std::string::npos);
     EXPECT_NE(html.find("src=\"data:image/png;base64,cGljdHVyZQ==\""), std::string::npos);
-    EXPECT_FALSE(std::regex_search(html, std::regex("(src|href)=\"(?!data:)|url\\(|@import")));
+    for (const char* outside : {"src=\"h", "src=\"/", "href=", "url(", "@import", "<link", "<script"}) {
+        EXPECT_EQ(html.find(outside), std::string::npos) << outside;
+    }
     EXPECT_LT(html.find("SS Full shows no significant difference"),
               html.find("<table")); // the answer comes first
 }
@@ -63,9 +71,8 @@ TEST(ReportTest, marksTheNonSignificantCells) {
     const std::string html = report_of(folder);
     const std::string table = html.substr(html.find("<table class=\"table2\">"));
     const std::string first = table.substr(0, table.find("</table>"));
-    const std::regex marked("<td class=\"alike\">[^<]*&nbsp;\\*</td>");
-    EXPECT_EQ(std::distance(std::sregex_iterator(first.begin(), first.end(), marked), std::sregex_iterator()),
-              11);
+    EXPECT_EQ(count_of("class=\"alike\"", first), 22);
+    EXPECT_EQ(count_of("&nbsp;*</td>", first), 11);
     EXPECT_NE(first.find("<td>4.5</td><td>0.034</td>"), std::string::npos);
 }
 

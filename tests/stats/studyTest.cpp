@@ -157,6 +157,7 @@ TEST(StudyTest, badSidecarsNameFileAndField) {
         {R"({"TrialsPlanned": 0})", "found 0"},
         {R"({"TrialsPlanned": -3})", "found -3"},
         {R"({"TrialsPlanned": 18446744073709551615})", "TrialsPlanned"},
+        {R"({"TrialsPlanned": [[2]]})", "found array"},
         {R"({"Simulated": "no"})", "Simulated: expected true or false, found \"no\""},
     };
     for (const auto& [json, part] : cases) {
@@ -167,6 +168,15 @@ TEST(StudyTest, badSidecarsNameFileAndField) {
         expect_error(folder, "sub-01_task-skin2afc_beh.json");
         EXPECT_EQ(error_of(folder).find("json.exception"), std::string::npos);
     }
+}
+
+TEST(StudyTest, deepJsonIsRefusedWithoutHarm) {
+    // A million nested arrays would overflow the stack of anything that descends into them.
+    const StudyFolder folder;
+    folder.write_log("01", log_text("r"));
+    folder.write_sidecar("01", "{\"Simulated\": " + std::string(1'000'000, '[') +
+                                   std::string(1'000'000, ']') + "}");
+    expect_error(folder, "Simulated: expected true or false, found array");
 }
 
 } // namespace

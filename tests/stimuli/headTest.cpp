@@ -98,7 +98,7 @@ TEST(HeadTest, hasTheSizeOfAnAdultHead) {
     // 0.05 mm.
     EXPECT_NEAR(vertex_y - chin_y, 232, 0.2);
     EXPECT_NEAR(vertex_y + chin_y, 0, 0.2) << "the eyes, at y = 0, are half way";
-    // Breadth and length vary between adults with standard deviations of 6 and 7 mm; half of that is kept.
+    // The project's canon of proportions; 2 % is less than people differ, and more than the asymmetry.
     EXPECT_NEAR(2 * half_width, 152, 3);
     EXPECT_NEAR(front - back, 197, 3.5);
 }

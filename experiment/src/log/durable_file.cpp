@@ -4,6 +4,7 @@
 #include "durable_file.h"
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 
 #include <fcntl.h>
@@ -29,6 +30,15 @@ bool write_all(int fd, std::string_view text) {
     return true;
 }
 
+/// Give a file its final name unless that is taken; errno says why not.
+bool rename_if_free(const fs::path& from, const fs::path& to) {
+    if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) {
+        return true;
+    }
+    // Network file systems know no such renaming, but hard links.
+    return errno == EINVAL && ::link(from.c_str(), to.c_str()) == 0 && ::unlink(from.c_str()) == 0;
+}
+
 } // namespace
 
 void sync_folder(const fs::path& folder) {
@@ -44,15 +54,30 @@ void sync_folder(const fs::path& folder) {
     }
 }
 
-std::optional<DurableFile> DurableFile::create(const fs::path& path) {
-    const int fd = ::open(path.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_APPEND | O_CLOEXEC, 0644);
-    if (fd < 0 && errno == EEXIST) {
-        return std::nullopt;
-    }
+std::optional<DurableFile> DurableFile::create(const fs::path& path, std::string_view first) {
+    // Write the first text under another name.
+    const fs::path pending =
+        path.parent_path() / fmt::format(".{}.{}.pending", path.filename().string(), ::getpid());
+    const int fd = ::open(pending.c_str(), O_CREAT | O_TRUNC | O_WRONLY | O_APPEND | O_CLOEXEC, 0644);
     if (fd < 0) {
         throw support::failure("{}: cannot be created: {}", path.string(), std::strerror(errno));
     }
     DurableFile file(path, fd);
+    try {
+        file.append(first);
+    } catch (const support::Failure&) {
+        ::unlink(pending.c_str());
+        throw;
+    }
+    // Take the final name.
+    if (!rename_if_free(pending, path)) {
+        const int error = errno;
+        ::unlink(pending.c_str());
+        if (error == EEXIST) {
+            return std::nullopt;
+        }
+        throw support::failure("{}: cannot be created: {}", path.string(), std::strerror(error));
+    }
     sync_folder(path.parent_path());
     return file;
 }

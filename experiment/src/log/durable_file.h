@@ -20,8 +20,9 @@ void sync_folder(const fs::path& folder);
 /// A file that was not there before and only grows; each append is on the disk when it returns.
 class DurableFile {
 public:
-    /// Create the file; nothing where one of that name exists. Throws support::Failure.
-    static std::optional<DurableFile> create(const fs::path& path);
+    /// Create the file with its first text, both in one step, so that no one ever sees it without; nothing
+    /// where a file of that name exists. Throws support::Failure.
+    static std::optional<DurableFile> create(const fs::path& path, std::string_view first);
 
     DurableFile(DurableFile&& other) noexcept
         : path_(std::move(other.path_)), fd_(std::exchange(other.fd_, -1)), size_(other.size_) {}

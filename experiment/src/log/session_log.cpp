@@ -51,14 +51,11 @@ SessionLog SessionLog::create(const fs::path& study, const std::string& label) {
     }
     // Take the first number that no other program takes before.
     for (;; ++run) {
-        if (auto file = DurableFile::create(folder / fmt::format("{}{:02d}_beh.tsv", prefix, run))) {
+        const fs::path path = folder / fmt::format("{}{:02d}_beh.tsv", prefix, run);
+        if (auto file = DurableFile::create(path, fmt::format("{}\n", log_header))) {
             return SessionLog(std::move(*file));
         }
     }
-}
-
-SessionLog::SessionLog(DurableFile file) : file_(std::move(file)) {
-    file_.append(fmt::format("{}\n", log_header));
 }
 
 void SessionLog::append(const Answer& answer) {

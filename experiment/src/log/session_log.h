@@ -44,7 +44,7 @@ public:
     fs::path sidecar_path() const { return fs::path(path()).replace_extension(".json"); }
 
 private:
-    explicit SessionLog(DurableFile file);
+    explicit SessionLog(DurableFile file) : file_(std::move(file)) {}
 
     DurableFile file_;
     std::size_t answers_ = 0;

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
 #version 450 core
 
 // Scattered light, coloured by what is applied after scattering, plus what is reflected, over the background.

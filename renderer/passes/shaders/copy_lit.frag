@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
 #version 450 core
 
 // As resolve.frag for a frame of one sample a pixel.

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
 #version 450 core
 
 // Bring the blurred irradiance maps from texture space to the screen: the weighted sum of the Gaussians.

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
 #version 450 core
 #include "material.glsl"
 
@@ -30,8 +33,9 @@ void main() {
     float m = slope();
     float visible = dot(geometric_normal(), light_direction) > -0.3 ? visibility() : 0.0;
 
-    diffuse = vec4(entering_light(N, m, visible), 1.0);
-    vec3 leaving = pow(albedo(), vec3(1.0 - texture_mix));
+    vec3 color = albedo();
+    diffuse = vec4(entering_light(N, color, m, visible), 1.0);
+    vec3 leaving = pow(color, vec3(1.0 - texture_mix));
     after_scattering = vec4(leaving * (1.0 - specular_intensity * specular_albedo(dot(N, V), m)), 1.0);
     float reflected = specular_intensity * kelemen_szirmay_kalos(N, light_direction, V, m);
     specular = vec4(light_irradiance * (visible * reflected / pi), 1.0);

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
 // The material at a point of the surface, and its light. Needs the Surface block.
 in Surface {
     centroid vec3 position_mm;
@@ -12,6 +15,7 @@ layout(binding = 1) uniform sampler2D normal_map;
 layout(binding = 2) uniform sampler2D roughness_map;
 layout(binding = 3) uniform sampler2DShadow shadow_map;
 layout(binding = 4) uniform sampler2D specular_albedo_table; // x: cosine, y: slope m
+layout(binding = 5) uniform sampler2D shadow_bounds; // least and greatest depth within the filter's reach
 
 uniform vec3 base_color_factor;
 uniform float normal_scale;
@@ -24,13 +28,15 @@ uniform vec3 ambient_irradiance;
 uniform mat4 light_from_world;
 uniform float shadow_texel_mm;
 uniform float shadow_sigma_texels;
+uniform int shadow_reach; // texels to each side of the filter's middle
 uniform float texture_mix;
 uniform float specular_intensity;
 
 const float pi = 3.14159265358979;
 const int table_size = 64; // specular_albedo_table is table_size squared
 
-vec3 albedo() { return base_color_factor * texture(base_color_map, surface.uv).rgb; }
+// Kept off 0, whose power 0 is undefined.
+vec3 albedo() { return max(base_color_factor * texture(base_color_map, surface.uv).rgb, vec3(1e-6)); }
 
 // Beckmann's slope m: the square of the perceptual roughness, as glTF's alpha is.
 float slope() {
@@ -48,8 +54,7 @@ vec3 mapped_normal() {
     vec3 T = normalize(surface.tangent.xyz - N * dot(N, surface.tangent.xyz));
     vec3 B = cross(N, T) * surface.tangent.w;
     vec3 n = texture(normal_map, surface.uv).xyz * 2.0 - 1.0;
-    // Green points up the image (glTF); the bitangent runs along +v, down the image.
-    return normalize(T * n.x * normal_scale - B * n.y * normal_scale + N * n.z);
+    return normalize((T * n.x + B * n.y) * normal_scale + N * n.z); // green and bitangent both point up the image
 }
 
 // rho_dt of [DEonLuebke2007, section 14.3.2]: what is reflected specularly from direction with cosine NoX.
@@ -58,27 +63,47 @@ float specular_albedo(float NoX, float m) {
     return texture(specular_albedo_table, place / float(table_size)).r;
 }
 
-// Share of the light that reaches the surface: percentage-closer filtering (Reeves et al. 1987) with Gaussian weights
-// on the shadow map's texels, each tap interpolated by the sampler.
+// Weight of a shadow map's texel at a distance (texels) from the point: a Gaussian that ends smoothly at the reach.
+vec4 shadow_weights(vec4 distance) {
+    float inverse_variance = 1.0 / max(shadow_sigma_texels * shadow_sigma_texels, 0.05);
+    float end = float(shadow_reach) + 1.0;
+    vec4 weights = exp(-0.5 * inverse_variance * distance * distance) - exp(-0.5 * inverse_variance * end * end);
+    return max(weights, vec4(0.0));
+}
+
+// Share of the light that reaches the surface: percentage-closer filtering (Reeves et al. 1987) with Gaussian weights,
+// four texels at a time.
 float visibility() {
     vec3 N = geometric_normal();
     float NoL = dot(N, light_direction);
-    float reach = ceil(2.0 * shadow_sigma_texels);
     // Lift the point off the surface by what the filter reaches over a plane of this tilt, so that it does not
     // shadow itself.
-    float lift_mm = shadow_texel_mm * (reach + 1.0) * sqrt(max(1.0 - NoL * NoL, 0.0)) + 0.5 * shadow_texel_mm;
+    float tilt = sqrt(max(1.0 - NoL * NoL, 0.0));
+    float lift_mm = shadow_texel_mm * (float(shadow_reach + 1) * tilt + 0.5);
     vec3 place = (light_from_world * vec4(surface.position_mm + N * lift_mm, 1.0)).xyz * 0.5 + 0.5;
-    if (place.z >= 1.0) {
-        return 1.0;
+    if (any(lessThan(place, vec3(0.0))) || any(greaterThanEqual(place, vec3(1.0)))) {
+        return 1.0; // lifted out of the box around the model, where nothing casts shadows
     }
+    // All that the filter meets lies behind the point, or all before it: then no tap is needed.
+    vec2 size = vec2(textureSize(shadow_map, 0));
+    vec2 bounds = texelFetch(shadow_bounds, ivec2(place.xy * size), 0).xy;
+    if (place.z <= bounds.x || place.z > bounds.y) {
+        return place.z <= bounds.x ? 1.0 : 0.0;
+    }
+    vec2 point = place.xy * size - 0.5; // texel centres at whole numbers
+    vec2 first = floor(point) - float(shadow_reach);
     float lit = 0.0;
     float total = 0.0;
-    vec2 texel = 1.0 / vec2(textureSize(shadow_map, 0));
-    for (float y = -reach; y <= reach; ++y) {
-        for (float x = -reach; x <= reach; ++x) {
-            float weight = exp(-0.5 * (x * x + y * y) / max(shadow_sigma_texels * shadow_sigma_texels, 1e-4));
-            lit += weight * texture(shadow_map, vec3(place.xy + vec2(x, y) * texel, place.z));
-            total += weight;
+    for (int y = 0; y <= 2 * shadow_reach; y += 2) {
+        for (int x = 0; x <= 2 * shadow_reach; x += 2) {
+            vec2 texel = first + vec2(x, y);
+            vec4 near = textureGather(shadow_map, (texel + 1.0) / size, place.z);
+            vec2 d = texel - point;
+            // Gathered in the order (0, 1), (1, 1), (1, 0), (0, 0).
+            vec4 along_x = shadow_weights(d.x + vec4(0.0, 1.0, 1.0, 0.0));
+            vec4 along_y = shadow_weights(d.y + vec4(1.0, 1.0, 0.0, 0.0));
+            lit += dot(along_x * along_y, near);
+            total += dot(along_x, along_y);
         }
     }
     return lit / total;
@@ -86,9 +111,9 @@ float visibility() {
 
 // Light that enters the skin at this point, with the part of the colour that is applied before scattering,
 // as the radiance it would leave with: E albedo^mix / pi.
-vec3 entering_light(vec3 N, float m, float visible) {
+vec3 entering_light(vec3 N, vec3 color, float m, float visible) {
     float NoL = dot(N, light_direction);
     vec3 direct = light_irradiance * (max(NoL, 0.0) * visible * (1.0 - specular_intensity * specular_albedo(NoL, m)));
     vec3 ambient = ambient_irradiance * (0.5 + 0.5 * N.y);
-    return (direct + ambient) * pow(albedo(), vec3(texture_mix)) / pi;
+    return (direct + ambient) * pow(color, vec3(texture_mix)) / pi;
 }

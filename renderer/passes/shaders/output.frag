@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
 #version 450 core
 
 // Bloom, exposure, and the sRGB transfer function [IEC 61966-2-1]. Row 0 becomes the image's top.

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
 #version 450 core
 
 // Resolve the lit frame: colours and depth are means over the covered samples alone, the matte is 1 where any

@@ -1,8 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
 #version 450 core
-#include "stretch.glsl"
 
 // Hable's 13 taps [Hable2009] on the screen, turned by a random angle at each pixel [Jimenez2009, section 4].
 layout(binding = 0) uniform sampler2D source; // rgb times matte, matte
+layout(binding = 1) uniform sampler2D stretch_map; // pixels per millimetre, 0 where there is no skin
+uniform float widest_px; // bound of a kernel's step, for depths near 0
 uniform vec2 tap_offsets_mm[13];
 uniform vec3 tap_weights[13];
 
@@ -18,12 +22,11 @@ float random(uvec2 pixel) {
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    float depth = texelFetch(depth_map, pixel, 0).r;
-    if (depth <= 0.0) {
+    vec2 px_per_mm = texelFetch(stretch_map, pixel, 0).xy;
+    if (px_per_mm.x <= 0.0) {
         scattered = vec4(0.0);
         return;
     }
-    vec2 px_per_mm = vec2(stretch_px_per_mm(pixel, ivec2(1, 0), depth), stretch_px_per_mm(pixel, ivec2(0, 1), depth));
     float angle = 6.28318530717959 * random(uvec2(pixel));
     mat2 turn = mat2(cos(angle), sin(angle), -sin(angle), cos(angle));
     vec2 texel = 1.0 / vec2(textureSize(source, 0));

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
 #version 450 core
 #include "vertex_inputs.glsl"
 

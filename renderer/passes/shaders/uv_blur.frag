@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
 #version 450 core
 
 // One 1D Gaussian over the charts [DEonLuebke2007, section 14.5.5]. Taps on another chart, or on none, take no part.

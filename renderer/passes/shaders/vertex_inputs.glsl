@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
 // The layout of scene::Vertex.
 layout(location = 0) in vec3 position_mm;
 layout(location = 1) in vec3 normal;

@@ -10,6 +10,9 @@
 namespace renderer::passes {
 namespace {
 
+// A kernel's step never exceeds this share of the image's height, however near the camera comes.
+constexpr float widest_step = 0.25f;
+
 std::vector<float> published_taps() { return {optics::gaussian_taps.begin(), optics::gaussian_taps.end()}; }
 
 } // namespace
@@ -32,10 +35,12 @@ void begin_rect(const gl::Framebuffer& target, const PixelRect& rect) {
 void end_rect() { glDisable(GL_SCISSOR_TEST); }
 
 ScreenSpace::ScreenSpace(int width, int height, const optics::Profile& profile, const Methods& methods)
-    : methods_(methods), weights_(profile_weights(profile)), blur_(load_screen_program("screen_blur.frag")),
+    : methods_(methods), weights_(profile_weights(profile)),
+      stretch_(load_screen_program("screen_stretch.frag")), blur_(load_screen_program("screen_blur.frag")),
       jittered_(load_screen_program("screen_jittered.frag")), sum_(load_screen_program("weighted_sum.frag")),
-      half_blurred_(GL_RGBA16F, width, height), scattered_(GL_RGBA16F, width, height),
-      half_target_({&half_blurred_}), scattered_target_({&scattered_}) {
+      px_per_mm_(GL_RG32F, width, height), half_blurred_(GL_RGBA16F, width, height),
+      scattered_(GL_RGBA16F, width, height), stretch_target_({&px_per_mm_}), half_target_({&half_blurred_}),
+      scattered_target_({&scattered_}) {
     half_blurred_.filter(GL_LINEAR, GL_LINEAR, GL_MIRRORED_REPEAT);
     for (const double sigma : optics::cascade_sigmas_mm(profile)) {
         sigmas_mm_.push_back(static_cast<float>(sigma));
@@ -55,22 +60,26 @@ ScreenSpace::ScreenSpace(int width, int height, const optics::Profile& profile, 
     jittered_.set("tap_weights", tap_weights);
 }
 
-void ScreenSpace::set_stretch(const gl::Program& program, const scene::Camera& camera,
-                              const Stretch& stretch) {
+void ScreenSpace::find_stretch(const LitFrame& lit, const scene::Camera& camera, const Stretch& stretch) {
     // Physically, a width at depth d covers focal_px / d pixels, and a surface tilted by dz/dx is
     // foreshortened by about 1 / (1 + |dz/dx|), dz/dx being the gradient per pixel times focal_px / d: so
     // alpha and beta of Eqs. 2-3 are both focal_px. The published alpha is in the unit that makes 11 physical
     // for the 2009 stimuli.
     const float focal_px = camera.focal_px();
-    program.set("kernel_px_mm", stretch.alpha ? *stretch.alpha * published_depth_unit_mm : focal_px);
-    program.set("beta_px", stretch.beta.value_or(focal_px));
-    program.set("widest_px", 0.25f * static_cast<float>(camera.height));
+    stretch_.use();
+    stretch_.set("kernel_px_mm", stretch.alpha ? *stretch.alpha * published_depth_unit_mm : focal_px);
+    stretch_.set("beta_px", stretch.beta.value_or(focal_px));
+    lit.depth_mm.bind(0);
+    begin_rect(stretch_target_, lit.rect);
+    draw_screen();
+    end_rect();
+    px_per_mm_.bind(1);
 }
 
 const gl::Texture& ScreenSpace::full(const LitFrame& lit, const scene::Camera& camera) {
+    find_stretch(lit, camera, methods_.full_stretch);
     blur_.use();
-    set_stretch(blur_, camera, methods_.full_stretch);
-    lit.depth_mm.bind(1);
+    blur_.set("widest_px", widest_step * static_cast<float>(camera.height));
     const gl::Texture* source = &lit.diffuse;
     for (std::size_t i = 0; i < gaussians_.size(); ++i) {
         blur_.set("sigma_mm", sigmas_mm_[i]);
@@ -100,10 +109,10 @@ const gl::Texture& ScreenSpace::full(const LitFrame& lit, const scene::Camera& c
 }
 
 const gl::Texture& ScreenSpace::jittered(const LitFrame& lit, const scene::Camera& camera) {
+    find_stretch(lit, camera, methods_.jitter_stretch);
     jittered_.use();
-    set_stretch(jittered_, camera, methods_.jitter_stretch);
+    jittered_.set("widest_px", widest_step * static_cast<float>(camera.height));
     lit.diffuse.bind(0);
-    lit.depth_mm.bind(1);
     begin_rect(scattered_target_, lit.rect);
     draw_screen();
     end_rect();

@@ -23,15 +23,15 @@ public:
     const gl::Texture& jittered(const LitFrame& lit, const scene::Camera& camera);
 
 private:
-    static void set_stretch(const gl::Program& program, const scene::Camera& camera, const Stretch& stretch);
+    void find_stretch(const LitFrame& lit, const scene::Camera& camera, const Stretch& stretch);
 
     Methods methods_;
     std::vector<float> sigmas_mm_;
     std::vector<glm::vec3> weights_;
-    gl::Program blur_, jittered_, sum_;
-    gl::Texture half_blurred_, scattered_;
+    gl::Program stretch_, blur_, jittered_, sum_;
+    gl::Texture px_per_mm_, half_blurred_, scattered_;
     std::vector<gl::Texture> gaussians_;
-    gl::Framebuffer half_target_, scattered_target_;
+    gl::Framebuffer stretch_target_, half_target_, scattered_target_;
     std::vector<gl::Framebuffer> gaussian_targets_;
 };
 

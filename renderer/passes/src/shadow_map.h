@@ -11,6 +11,7 @@
 namespace renderer::passes {
 
 /// What the light sees of a model, for lighting it with shadows. One render a light.
+/// Beside it lie the depth's bounds over the filter's reach, which spare most points the filter.
 class ShadowMap {
 public:
     ShadowMap();
@@ -20,8 +21,12 @@ public:
     void bind(const gl::Program& program, const Light& light) const;
 
 private:
-    gl::Program program_;
-    gl::Texture depth_;
+    void find_bounds();
+
+    gl::Program program_, bounds_program_;
+    gl::Texture depth_, depth_values_, half_bounds_, bounds_;
+    float sigma_texels_ = 0;
+    int reach_texels_ = 0;
     glm::mat4 light_from_world_{1};
     float texel_mm_ = 1;
 };

@@ -107,7 +107,7 @@ void compute_tangents(Mesh& mesh) {
         const glm::vec3 flat = along_u[i] - vertex.normal * glm::dot(vertex.normal, along_u[i]);
         const float length = glm::length(flat);
         const glm::vec3 tangent = length > 1e-20f ? flat / length : orthogonal(vertex.normal);
-        const float handedness = glm::dot(glm::cross(vertex.normal, tangent), along_v[i]) < 0 ? -1.0f : 1.0f;
+        const float handedness = glm::dot(glm::cross(vertex.normal, tangent), along_v[i]) > 0 ? -1.0f : 1.0f;
         vertex.tangent = glm::vec4(tangent, handedness);
     }
 }

@@ -20,7 +20,7 @@ struct ChiSquare {
 ChiSquare chi_square_equal(std::span<const std::int64_t> observed);
 
 /// Exact two-sided binomial test: the probability, under success probability p0, of all outcomes that are no
-/// more probable than the observed one, with R's relative tolerance of 1e-7 [RBinomTest].
+/// more probable than the observed one, with R's relative tolerance of 1e-7 [RCore2022, binom.test].
 /// Needs 0 <= successes <= trials and 0 < p0 < 1 (std::invalid_argument).
 double binomial_two_sided_p(std::int64_t successes, std::int64_t trials, double p0 = 0.5);
 

@@ -24,7 +24,7 @@ using ImagePtr = std::shared_ptr<const Image>;
 struct Material {
     std::string name;
     ImagePtr base_color;            ///< sRGB; null: white
-    ImagePtr normal;                ///< tangent space, green along +bitangent; null: flat
+    ImagePtr normal;                ///< tangent space, green up the image as in glTF; null: flat
     ImagePtr roughness;             ///< green channel; null: 1
     glm::vec3 base_color_factor{1}; ///< linear Rec. 709
     float normal_scale = 1;
@@ -36,7 +36,7 @@ struct Vertex {
     glm::vec3 position_mm{0};
     glm::vec3 normal{0}; ///< unit length
     glm::vec4 tangent{
-        0}; ///< unit length along +u; w is the bitangent's sign: cross(normal, tangent) * w runs along +v
+        0};          ///< unit length along +u; cross(normal, tangent) * w runs up the image (-v), as in glTF
     glm::vec2 uv{0}; ///< (0, 0) is the first texel of the first image row, as in glTF
 };
 

@@ -1,9 +1,16 @@
-// How wide a kernel is at a pixel of the lit frame [Jimenez2009, Eqs. 2-3].
-layout(binding = 1) uniform sampler2D depth_map; // millimetres, 0 where there is no skin
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#version 450 core
+
+// How wide a kernel is at each pixel of the lit frame [Jimenez2009, Eqs. 2-3]: pixels per millimetre of width along
+// x and y; 0 where there is no skin.
+layout(binding = 0) uniform sampler2D depth_map; // millimetres, 0 where there is no skin
 
 uniform float kernel_px_mm; // pixels per millimetre of width at a depth of 1 mm: the physical value of alpha
 uniform float beta_px;      // weight of the depth gradient; physically equal to kernel_px_mm
-uniform float widest_px;    // bound of a kernel's step, for depths near 0
+
+layout(location = 0) out vec2 px_per_mm;
 
 float depth_at(ivec2 pixel) {
     ivec2 last = textureSize(depth_map, 0) - 1;
@@ -21,7 +28,9 @@ float depth_gradient(ivec2 pixel, ivec2 axis, float depth) {
     return gradient < 1e30 ? gradient : 0.0;
 }
 
-// Pixels per millimetre of kernel width along an axis.
-float stretch_px_per_mm(ivec2 pixel, ivec2 axis, float depth) {
-    return kernel_px_mm / (depth + beta_px * depth_gradient(pixel, axis, depth));
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    float depth = depth_at(pixel);
+    vec2 gradient = vec2(depth_gradient(pixel, ivec2(1, 0), depth), depth_gradient(pixel, ivec2(0, 1), depth));
+    px_per_mm = depth > 0.0 ? max(kernel_px_mm / (depth + beta_px * gradient), vec2(1e-9)) : vec2(0.0);
 }

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <support/error.h>
+
+#include "fixture.h"
+#include "log/study_folder.h"
+
+namespace {
+
+using experiment::check_label;
+using experiment::StudyFolder;
+
+TEST(LabelTest, isLettersAndDigits) {
+    for (const char* label : {"1", "01", "A9z"}) {
+        EXPECT_NO_THROW(check_label(label)) << label;
+    }
+    EXPECT_NO_THROW(check_label(std::string(64, 'a')));
+    for (const char* label : {"", "a/b", "../x", ".", "sub-01", "a b", "a\n", "\xc3\xa4", "a+b", "-"}) {
+        EXPECT_THROW(check_label(label), support::InputError) << label;
+    }
+    EXPECT_THROW(check_label(std::string(65, 'a')), support::InputError);
+    EXPECT_THROW(check_label(std::string("a\0b", 3)), support::InputError);
+}
+
+TEST(StudyFolderTest, notesEachParticipantOnce) {
+    const fixture::TemporaryFolder folder;
+    const StudyFolder study(folder / "study", false);
+    study.prepare("A study", "02");
+    study.prepare("A study", "01");
+    study.prepare("A study", "02");
+    EXPECT_EQ(fixture::read(folder / "study/participants.tsv"), "participant_id\nsub-02\nsub-01\n");
+}
+
+TEST(StudyFolderTest, keepsWhatOthersWroteAboutParticipants) {
+    const fixture::TemporaryFolder folder;
+    fixture::write(folder / "participants.tsv", "participant_id\tage\tsex\r\nsub-9\t30\tf");
+    StudyFolder(folder.path(), false).prepare("A study", "01");
+    EXPECT_EQ(fixture::read(folder / "participants.tsv"),
+              "participant_id\tage\tsex\r\nsub-9\t30\tf\nsub-01\tn/a\tn/a\n");
+}
+
+TEST(StudyFolderTest, refusesAForeignParticipantsTable) {
+    const fixture::TemporaryFolder folder;
+    fixture::write(folder / "participants.tsv", "name\nx\n");
+    EXPECT_THROW(StudyFolder(folder.path(), false).prepare("A study", "01"), support::InputError);
+    EXPECT_EQ(fixture::read(folder / "participants.tsv"), "name\nx\n");
+}
+
+TEST(StudyFolderTest, notesAllParticipantsOfProgramsAtOnce) {
+    const fixture::TemporaryFolder folder;
+    constexpr int programs = 16;
+    for (int i = 0; i < programs; ++i) {
+        if (::fork() == 0) {
+            StudyFolder(folder.path(), true).prepare("A study", std::to_string(i));
+            ::_exit(0);
+        }
+    }
+    for (int i = 0; i < programs; ++i) {
+        int status = 1;
+        ::wait(&status);
+        EXPECT_EQ(status, 0);
+    }
+    EXPECT_EQ(fixture::lines_of(folder / "participants.tsv").size(), programs + 1U);
+}
+
+TEST(StudyFolderTest, saysWhetherItsParticipantsAreSimulated) {
+    const fixture::TemporaryFolder folder;
+    StudyFolder(folder / "real", false).prepare("A study", "01");
+    StudyFolder(folder / "simulated", true).prepare("A study", "01");
+    const auto real = nlohmann::json::parse(fixture::read(folder / "real/dataset_description.json"));
+    const auto simulated =
+        nlohmann::json::parse(fixture::read(folder / "simulated/dataset_description.json"));
+    EXPECT_EQ(real["Simulated"], false);
+    EXPECT_EQ(simulated["Simulated"], true);
+    // BIDS 1.11, Dataset description: required fields.
+    for (const auto& description : {real, simulated}) {
+        EXPECT_TRUE(description["Name"].is_string());
+        EXPECT_EQ(description["BIDSVersion"].get<std::string>().substr(0, 5), "1.11.");
+        EXPECT_EQ(description["DatasetType"], "raw");
+    }
+}
+
+TEST(StudyFolderTest, keepsSimulatedAndRealParticipantsApart) {
+    const fixture::TemporaryFolder folder;
+    StudyFolder(folder / "real", false).prepare("A study", "01");
+    StudyFolder(folder / "simulated", true).prepare("A study", "01");
+    EXPECT_THROW(StudyFolder(folder / "real", true), support::InputError);
+    EXPECT_THROW(StudyFolder(folder / "simulated", false), support::InputError);
+    EXPECT_NO_THROW(StudyFolder(folder / "real", false));
+    EXPECT_NO_THROW(StudyFolder(folder / "simulated", true));
+
+    // Data that say nothing are real.
+    fixture::write(folder / "silent/sub-01/beh/x.tsv", "x");
+    EXPECT_THROW(StudyFolder(folder / "silent", true), support::InputError);
+    fixture::write(folder / "described/dataset_description.json", "{\"Name\": \"x\"}");
+    EXPECT_THROW(StudyFolder(folder / "described", true), support::InputError);
+}
+
+TEST(StudyFolderTest, refusesADescriptionThatItCannotRead) {
+    const fixture::TemporaryFolder folder;
+    for (const char* text : {"", "{", "[]", "{\"Simulated\": \"yes\"}"}) {
+        fixture::write(folder / "dataset_description.json", text);
+        EXPECT_THROW(StudyFolder(folder.path(), true), support::InputError) << text;
+        EXPECT_THROW(StudyFolder(folder.path(), false), support::InputError) << text;
+    }
+}
+
+TEST(StudyFolderTest, keepsTheFirstContactSheet) {
+    const fixture::TemporaryFolder folder;
+    const StudyFolder study(folder / "study", false);
+    study.keep_contact_sheet(folder / "missing.png");
+    EXPECT_TRUE(fixture::files_below(folder / "study").empty());
+    fixture::write(folder / "one.png", "one");
+    fixture::write(folder / "two.png", "two");
+    study.keep_contact_sheet(folder / "one.png");
+    study.keep_contact_sheet(folder / "two.png");
+    EXPECT_EQ(fixture::read(folder / "study/stimuli/contact_sheet.png"), "one");
+    EXPECT_EQ(fixture::files_below(folder / "study").size(), 1U);
+}
+
+} // namespace

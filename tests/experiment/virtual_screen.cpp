@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#include "virtual_screen.h"
+
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <stdexcept>
+#include <vector>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace fixture {
+namespace {
+
+// An XWD file (XWDFile.h of the X Window System): big-endian words, colour map entries of 12 bytes, then
+// pixels.
+constexpr std::size_t header_words = 25;
+enum Word : std::size_t { header_size = 0, bytes_per_line = 12, colors = 19 };
+constexpr std::size_t color_bytes = 12;
+
+pid_t start(const std::vector<std::string>& words) {
+    std::vector<std::string> copy = words;
+    std::vector<char*> argv;
+    for (std::string& word : copy) {
+        argv.push_back(word.data());
+    }
+    argv.push_back(nullptr);
+    const pid_t child = ::fork();
+    if (child == 0) {
+        const int null = ::open("/dev/null", O_WRONLY);
+        ::dup2(null, STDERR_FILENO);
+        ::execvp(argv[0], argv.data());
+        ::_exit(127);
+    }
+    return child;
+}
+
+void xdotool(const std::string& action, const std::string& key) {
+    int status = 1;
+    ::waitpid(start({"xdotool", action, key}), &status, 0);
+    if (status != 0) {
+        throw std::runtime_error("xdotool failed or is not installed");
+    }
+}
+
+} // namespace
+
+VirtualScreen::VirtualScreen(const std::filesystem::path& folder, int width, int height)
+    : framebuffer_(folder / "Xvfb_screen0") {
+    // Let the server choose a free display and tell its number through a pipe when it is ready.
+    int ends[2];
+    if (::pipe(ends) != 0) {
+        throw std::runtime_error("no pipe");
+    }
+    server_ = start({"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0",
+                     fmt::format("{}x{}x24", width, height), "-fbdir", folder.string(), "-nolisten", "tcp"});
+    ::close(ends[1]);
+    std::string display;
+    for (char c = 0; ::read(ends[0], &c, 1) == 1 && c != '\n';) {
+        display += c;
+    }
+    ::close(ends[0]);
+    if (display.empty()) {
+        ::waitpid(server_, nullptr, 0);
+        throw std::runtime_error("Xvfb does not start or is not installed");
+    }
+    ::setenv("DISPLAY", (":" + display).c_str(), 1);
+}
+
+VirtualScreen::~VirtualScreen() {
+    ::kill(server_, SIGTERM);
+    ::waitpid(server_, nullptr, 0);
+}
+
+std::array<std::uint8_t, 3> VirtualScreen::pixel(int x, int y) const {
+    std::ifstream file(framebuffer_, std::ios::binary);
+    std::array<std::size_t, header_words> header{};
+    for (std::size_t& word : header) {
+        unsigned char bytes[4];
+        file.read(reinterpret_cast<char*>(bytes), 4);
+        word =
+            std::size_t{bytes[0]} << 24 | std::size_t{bytes[1]} << 16 | std::size_t{bytes[2]} << 8 | bytes[3];
+    }
+    file.seekg(static_cast<std::streamoff>(header[header_size] + color_bytes * header[colors] +
+                                           static_cast<std::size_t>(y) * header[bytes_per_line] +
+                                           4 * static_cast<std::size_t>(x)));
+    unsigned char bgrx[4]{};
+    file.read(reinterpret_cast<char*>(bgrx), 4);
+    return {bgrx[2], bgrx[1], bgrx[0]};
+}
+
+bool VirtualScreen::becomes(int x, int y, const std::array<std::uint8_t, 3>& rgb) const {
+    for (int look = 0; look < 10000; ++look) {
+        if (pixel(x, y) == rgb) {
+            return true;
+        }
+        ::usleep(2000);
+    }
+    return false;
+}
+
+void VirtualScreen::key(const std::string& name) { xdotool("key", name); }
+void VirtualScreen::key_down(const std::string& name) { xdotool("keydown", name); }
+void VirtualScreen::key_up(const std::string& name) { xdotool("keyup", name); }
+
+} // namespace fixture

@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#include <csignal>
+#include <thread>
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include "fixture.h"
+#include "schedule.h"
+#include "virtual_screen.h"
+
+namespace {
+
+using fixture::VirtualScreen;
+
+// The screen is larger than the pictures of 320x200, by an odd number of pixels.
+constexpr int screen_width = 403, screen_height = 301;
+constexpr int left = (screen_width - 320) / 2;
+constexpr int top = screen_height - 200 - (screen_height - 200) / 2; // OpenGL counts rows from below
+constexpr std::array<std::uint8_t, 3> page_ground{38, 38, 38};       // 15 % of 255
+constexpr std::array<std::uint8_t, 3> grey{128, 128, 128};           // 50 % of 255
+
+/// A session of real windows, real keys and a real screen, in the full-screen window.
+class WindowTest : public testing::Test {
+protected:
+    void start(const std::string& azimuths, double grey_s) {
+        protocol_ = fixture::small_protocol(folder_.path(), azimuths, grey_s);
+        fixture::write_stimuli(folder_ / "stimuli", protocol_);
+        schedule_ = experiment::make_schedule(protocol_, 4);
+        program_ = fixture::start_program({"session", protocol_.file.string(), "--stimuli",
+                                           (folder_ / "stimuli").string(), "--study", study().string(),
+                                           "--participant", "01", "--seed", "4"},
+                                          folder_.path());
+    }
+    ~WindowTest() override {
+        if (program_ > 0) {
+            ::kill(program_, SIGKILL);
+            ::waitpid(program_, nullptr, 0);
+        }
+    }
+
+    std::filesystem::path study() const { return folder_ / "study"; }
+    std::filesystem::path log() const { return fixture::log_path(study(), "01"); }
+    std::filesystem::path sidecar() const { return log().replace_extension(".json"); }
+
+    /// The number of a trial's picture, as write_stimuli counts: shaders, then azimuths.
+    int picture(std::size_t trial, bool first) const {
+        const std::string& shader = first ? schedule_[trial].first : schedule_[trial].second;
+        const auto& azimuths = protocol_.light.azimuths_deg;
+        const auto azimuth = std::find(azimuths.begin(), azimuths.end(), schedule_[trial].azimuth_deg);
+        return (shader == "no_sss" ? 0 : static_cast<int>(azimuths.size())) +
+               static_cast<int>(azimuth - azimuths.begin());
+    }
+
+    /// Whether the whole screen shows the picture, pixel for pixel, with black around it.
+    void expect_picture(int number) const {
+        ASSERT_TRUE(screen_.becomes(left, top, fixture::pixel_of(number, 0, 0)));
+        for (const auto& [x, y] :
+             {std::pair{0, 0}, {1, 0}, {0, 1}, {57, 83}, {160, 100}, {319, 0}, {0, 199}, {319, 199}}) {
+            EXPECT_EQ(screen_.pixel(left + x, top + y), fixture::pixel_of(number, x, y)) << x << " " << y;
+        }
+        constexpr std::array<std::uint8_t, 3> black{};
+        EXPECT_EQ(screen_.pixel(left - 1, top), black);
+        EXPECT_EQ(screen_.pixel(left, top - 1), black);
+        EXPECT_EQ(screen_.pixel(left + 320, top), black);
+        EXPECT_EQ(screen_.pixel(left, top + 200), black);
+    }
+
+    /// From the trial's number to its answer.
+    void run_trial(std::size_t trial, const std::string& answer) const {
+        ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
+        VirtualScreen::key("space");
+        expect_picture(picture(trial, true));
+        VirtualScreen::key("space");
+        ASSERT_TRUE(screen_.becomes(1, 1, grey));
+        EXPECT_EQ(screen_.pixel(screen_width - 1, screen_height - 1), grey);
+        VirtualScreen::key("2"); // too early: the second picture is not there yet
+        expect_picture(picture(trial, false));
+        VirtualScreen::key(answer);
+    }
+
+    /// The session's last words.
+    fixture::Outcome finish() {
+        const auto outcome = fixture::wait_for_program(program_, folder_.path());
+        program_ = -1;
+        return outcome;
+    }
+
+    void leave_instructions() const {
+        ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
+        while (!std::filesystem::exists(sidecar())) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+        // The instructions come after the sidecar; their first key may come too early.
+        std::this_thread::sleep_for(std::chrono::milliseconds(500));
+        VirtualScreen::key("space");
+    }
+
+    fixture::TemporaryFolder folder_;
+    VirtualScreen screen_{folder_.path(), screen_width, screen_height};
+    study::Protocol protocol_;
+    experiment::Schedule schedule_;
+    pid_t program_ = -1;
+};
+
+TEST_F(WindowTest, runsASessionByRealKeysAndShowsEachPicturePixelForPixel) {
+    start("[0, 60]", 0.5);
+    leave_instructions();
+    const std::vector<std::string> answers{"1", "2", "KP_1", "KP_2"};
+    for (std::size_t trial = 0; trial < answers.size(); ++trial) {
+        run_trial(trial, answers[trial]);
+        if (HasFatalFailure()) {
+            return;
+        }
+    }
+    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    VirtualScreen::key("space");
+    const auto outcome = finish();
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+
+    const auto rows = fixture::read_log(log());
+    ASSERT_EQ(rows.size(), 4U);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        EXPECT_EQ(rows[i].at("first"), schedule_[i].first);
+        EXPECT_EQ(rows[i].at("azimuth_deg"), std::to_string(schedule_[i].azimuth_deg));
+        EXPECT_EQ(rows[i].at("response"), answers[i].substr(answers[i].size() - 1));
+        // The grey is not cut short. It may last longer on a machine that has other things to do.
+        EXPECT_GE(std::stod(rows[i].at("onset_second")) - std::stod(rows[i].at("onset_grey")), 0.5 - 0.005);
+        EXPECT_GT(std::stod(rows[i].at("response_time")), 0);
+    }
+    // A virtual screen has no refresh.
+    const auto facts = nlohmann::json::parse(fixture::read(sidecar()));
+    EXPECT_EQ(facts["Pacing"], "clock");
+    EXPECT_EQ(facts["RefreshRate"], "n/a");
+    EXPECT_EQ(facts["Complete"], true);
+    EXPECT_EQ(facts["Simulated"], false);
+    EXPECT_EQ(facts["StimulusPresentation"]["ScreenResolution"],
+              (nlohmann::json{screen_width, screen_height}));
+}
+
+TEST_F(WindowTest, keepsEveryAnswerWhenKilled) {
+    start("[0, 60]", 0.1);
+    leave_instructions();
+    run_trial(0, "1");
+    run_trial(1, "2");
+    ASSERT_TRUE(screen_.becomes(1, 1, page_ground)); // the third trial's number is drawn
+    ::kill(program_, SIGKILL);
+    EXPECT_EQ(finish().exit_code, -1);
+    const auto rows = fixture::read_log(log());
+    ASSERT_EQ(rows.size(), 2U);
+    EXPECT_EQ(rows[0].at("response"), "1");
+    EXPECT_EQ(rows[1].at("response"), "2");
+    EXPECT_EQ(nlohmann::json::parse(fixture::read(sidecar()))["Complete"], false);
+}
+
+TEST_F(WindowTest, endsInOrderWhenAskedTo) {
+    start("[0]", 0.1);
+    leave_instructions();
+    run_trial(0, "1");
+    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
+    ::kill(program_, SIGTERM);
+    const auto outcome = finish();
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_NE(outcome.err.find("1 of 2 trials are saved in"), std::string::npos) << outcome.err;
+    EXPECT_EQ(nlohmann::json::parse(fixture::read(sidecar()))["TrialsAnswered"], 1);
+}
+
+TEST_F(WindowTest, takesAKeyThatIsHeldForOnePress) {
+    start("[0]", 0.1);
+    leave_instructions();
+    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    VirtualScreen::key_down("space");
+    expect_picture(picture(0, true));
+    // X repeats a held key after 660 ms; nothing may come of that, nor of an answer while space is held.
+    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+    VirtualScreen::key("1");
+    expect_picture(picture(0, true));
+    VirtualScreen::key_up("space");
+    VirtualScreen::key("space");
+    expect_picture(picture(0, false));
+}
+
+TEST_F(WindowTest, refusesAScreenSmallerThanThePictures) {
+    std::filesystem::create_directory(folder_ / "small");
+    const VirtualScreen small(folder_ / "small", 300, 200);
+    start("[0]", 0.1);
+    const auto outcome = finish();
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("expected at least the stimulus's 320x200 pixels, found 300x200"),
+              std::string::npos)
+        << outcome.err;
+    EXPECT_TRUE(fixture::files_below(study()).empty());
+}
+
+} // namespace
