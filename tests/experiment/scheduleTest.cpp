@@ -70,6 +70,7 @@ TEST(ScheduleTest, drawsTheOrderByLotWhereEachPairIsShownOnce) {
     for (int seed = 0; seed < sessions; ++seed) {
         const Schedule schedule = make_schedule(protocol, static_cast<std::uint64_t>(seed));
         ASSERT_EQ(schedule.size(), 36U);
+        EXPECT_EQ(stimuli_of(schedule).size(), 48U);
         for (const Trial& trial : schedule) {
             reference_first += trial.first == trial.reference ? 1 : 0;
         }

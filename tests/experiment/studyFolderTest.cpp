@@ -1,7 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The skin2afc authors
 // SPDX-License-Identifier: MIT
 
+#include <set>
+
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -51,12 +55,15 @@ TEST(StudyFolderTest, refusesAForeignParticipantsTable) {
     EXPECT_EQ(fixture::read(folder / "participants.tsv"), "name\nx\n");
 }
 
-TEST(StudyFolderTest, notesAllParticipantsOfProgramsAtOnce) {
+TEST(StudyFolderTest, notesEachParticipantOnceForProgramsAtOnce) {
     const fixture::TemporaryFolder folder;
-    constexpr int programs = 16;
+    constexpr int programs = 8;
+    constexpr int participants = 40;
     for (int i = 0; i < programs; ++i) {
         if (::fork() == 0) {
-            StudyFolder(folder.path(), true).prepare("A study", std::to_string(i));
+            for (int label = 0; label < participants; ++label) {
+                StudyFolder(folder.path(), true).prepare("A study", std::to_string(label));
+            }
             ::_exit(0);
         }
     }
@@ -65,7 +72,27 @@ TEST(StudyFolderTest, notesAllParticipantsOfProgramsAtOnce) {
         ::wait(&status);
         EXPECT_EQ(status, 0);
     }
-    EXPECT_EQ(fixture::lines_of(folder / "participants.tsv").size(), programs + 1U);
+    const auto lines = fixture::lines_of(folder / "participants.tsv");
+    EXPECT_EQ(lines.size(), participants + 1U);
+    EXPECT_EQ(std::set(lines.begin(), lines.end()).size(), participants + 1U);
+}
+
+TEST(StudyFolderTest, waitsForTheProgramThatHoldsTheParticipants) {
+    const fixture::TemporaryFolder folder;
+    fixture::write(folder / "participants.tsv", "participant_id\n");
+    const int held = ::open((folder / "participants.tsv").c_str(), O_RDONLY);
+    ASSERT_EQ(::flock(held, LOCK_EX), 0);
+    const pid_t child = ::fork();
+    if (child == 0) {
+        ::close(held);
+        StudyFolder(folder.path(), true).prepare("A study", "01");
+        ::_exit(0);
+    }
+    ::usleep(200000); // a hundred times what it takes
+    EXPECT_EQ(fixture::read(folder / "participants.tsv"), "participant_id\n");
+    ::close(held);
+    ::waitpid(child, nullptr, 0);
+    EXPECT_EQ(fixture::read(folder / "participants.tsv"), "participant_id\nsub-01\n");
 }
 
 TEST(StudyFolderTest, saysWhetherItsParticipantsAreSimulated) {

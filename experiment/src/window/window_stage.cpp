@@ -22,7 +22,8 @@ constexpr double poll_s = 0.5e-3;         // pause between two looks at the keyb
 constexpr double key_resolution_s = 1e-3; // pause, the look itself and a late waking
 constexpr double quiet_s = 5e-3;          // before a deadline, no more looks
 constexpr std::size_t rehearsed_swaps = 5;
-constexpr double rehearsal_s = 0.15;       // before a deadline
+constexpr double rehearsal_s = 0.2; // before a deadline
+constexpr double rehearsal_pause_s = 0.015;
 constexpr double least_rehearsed_s = 0.25; // shorter pictures leave no time for it
 
 /// Refuse texts that would not fit before anything is shown.
@@ -107,7 +108,7 @@ double WindowStage::show_by_clock(double duration_s, const Picture& picture) {
     const double deadline_s = onset_s_ + duration_s;
     if (duration_s > least_rehearsed_s) {
         wait_until_polling(deadline_s - rehearsal_s);
-        rehearse(deadline_s - rehearsal_s / 2);
+        rehearse(deadline_s - rehearsal_s / 3);
     }
     pictures_.draw(picture, window_.framebuffer_size());
     if (duration_s > 0) {
@@ -124,6 +125,7 @@ void WindowStage::rehearse(double until_s) {
     std::vector<double> durations_s;
     while (durations_s.empty() || (durations_s.size() < rehearsed_swaps && monotonic_s() < until_s)) {
         pictures_.draw(current_, window_.framebuffer_size());
+        wait_until(monotonic_s() + rehearsal_pause_s); // as before the swap that counts
         const double before_s = monotonic_s();
         window_.swap();
         durations_s.push_back(monotonic_s() - before_s);

@@ -11,7 +11,7 @@
 namespace renderer::optics {
 namespace {
 
-// [DEonLuebke2007, section 14.4.4]: six Gaussians for the three-layer skin of Donner and Jensen (2005).
+// [DEonLuebke2007]: six Gaussians for the three-layer skin of [DonnerJensen2005].
 const std::vector<Gaussian> skin_6g{
     {0.0064, {0.233, 0.455, 0.649}}, {0.0484, {0.100, 0.336, 0.344}}, {0.187, {0.118, 0.198, 0.000}},
     {0.567, {0.113, 0.007, 0.007}},  {1.99, {0.358, 0.004, 0.000}},   {7.41, {0.078, 0.000, 0.000}},

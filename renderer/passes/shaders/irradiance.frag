@@ -4,7 +4,7 @@
 #version 450 core
 #include "material.glsl"
 
-// Light that enters the skin, in texture space [DEonLuebke2007, section 14.5.4].
+// Light that enters the skin, in texture space [DEonLuebke2007].
 layout(location = 0) out vec4 irradiance;
 
 void main() { irradiance = vec4(entering_light(mapped_normal(), albedo(), slope(), visibility()), 1.0); }

@@ -14,7 +14,7 @@ layout(location = 3) out float depth_mm;
 uniform vec3 eye_mm;
 uniform float fresnel_f0;
 
-// Kelemen/Szirmay-Kalos [DEonLuebke2007, section 14.3.1]; h is not normalised, Beckmann's lobe is computed, not
+// Kelemen/Szirmay-Kalos [DEonLuebke2007]; h is not normalised, Beckmann's lobe is computed, not
 // looked up, and the factor 1 / pi is in the caller.
 float kelemen_szirmay_kalos(vec3 N, vec3 L, vec3 V, float m) {
     vec3 h = L + V;

@@ -57,7 +57,7 @@ vec3 mapped_normal() {
     return normalize((T * n.x + B * n.y) * normal_scale + N * n.z); // green and bitangent both point up the image
 }
 
-// rho_dt of [DEonLuebke2007, section 14.3.2]: what is reflected specularly from direction with cosine NoX.
+// rho_dt of [DEonLuebke2007]: what is reflected specularly from direction with cosine NoX.
 float specular_albedo(float NoX, float m) {
     vec2 place = vec2(clamp(NoX, 0.0, 1.0) * float(table_size - 1) + 0.5, m * float(table_size) - 0.5);
     return texture(specular_albedo_table, place / float(table_size)).r;
@@ -71,7 +71,7 @@ vec4 shadow_weights(vec4 distance) {
     return max(weights, vec4(0.0));
 }
 
-// Share of the light that reaches the surface: percentage-closer filtering (Reeves et al. 1987) with Gaussian weights,
+// Share of the light that reaches the surface: percentage-closer filtering [Reeves1987] with Gaussian weights,
 // four texels at a time.
 float visibility() {
     vec3 N = geometric_normal();

@@ -3,7 +3,7 @@
 
 #version 450 core
 
-// Bloom, exposure, and the sRGB transfer function [IEC 61966-2-1]. Row 0 becomes the image's top.
+// Bloom, exposure, and the sRGB transfer function [IEC1999]. Row 0 becomes the image's top.
 layout(binding = 0) uniform sampler2D color_map; // alpha: coverage
 layout(binding = 1) uniform sampler2D bloom_map;
 uniform float bloom_strength;

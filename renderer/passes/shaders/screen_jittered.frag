@@ -12,7 +12,7 @@ uniform vec3 tap_weights[13];
 
 layout(location = 0) out vec4 scattered;
 
-// A well-mixed number in [0, 1) for each pixel: the PCG hash of Jarzynski and Olano (2020).
+// A well-mixed number in [0, 1) for each pixel: the PCG hash [JarzynskiOlano2020].
 float random(uvec2 pixel) {
     uint state = (pixel.x + pixel.y * 65536u) * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;

@@ -4,7 +4,7 @@
 #version 450 core
 #include "vertex_inputs.glsl"
 
-// Lay the mesh flat: its texture coordinates become the places in the map [DEonLuebke2007, section 14.5.3].
+// Lay the mesh flat: its texture coordinates become the places in the map [DEonLuebke2007].
 uniform vec2 uv_origin;
 uniform vec2 uv_scale;
 

@@ -3,7 +3,7 @@
 
 #version 450 core
 
-// One 1D Gaussian over the charts [DEonLuebke2007, section 14.5.5]. Taps on another chart, or on none, take no part.
+// One 1D Gaussian over the charts [DEonLuebke2007]. Taps on another chart, or on none, take no part.
 layout(binding = 0) uniform sampler2D source;      // rgb times mask, mask
 layout(binding = 1) uniform sampler2D stretch_map; // texels per millimetre along u and v
 layout(binding = 2) uniform sampler2D chart_map;   // 0: no chart

@@ -4,7 +4,7 @@
 #version 450 core
 #include "material.glsl"
 
-// Texels per millimetre along u and v (the stretch map of [DEonLuebke2007, section 14.5.3]) and the chart.
+// Texels per millimetre along u and v (the stretch map of [DEonLuebke2007]) and the chart.
 uniform float chart;
 
 layout(location = 0) out vec4 stretch; // u, v, unused, 1

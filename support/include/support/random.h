@@ -23,7 +23,7 @@ public:
     std::uint64_t below(std::uint64_t n);
     /// Uniform over [0, 1), 53 bits.
     double uniform();
-    /// Standard normal (Box and Muller 1958).
+    /// Standard normal [BoxMuller1958].
     double normal();
 
     /// Fisher-Yates shuffle.

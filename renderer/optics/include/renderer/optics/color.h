@@ -7,7 +7,7 @@
 
 namespace renderer::optics {
 
-/// The sRGB transfer function [IEC 61966-2-1], linear light in [0, 1] to signal and back.
+/// The sRGB transfer function [IEC1999], linear light in [0, 1] to signal and back.
 inline double srgb_from_linear(double linear) {
     return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
 }

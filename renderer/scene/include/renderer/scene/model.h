@@ -69,13 +69,13 @@ Bounds bounds(const Model& model);
 /// The same, of the part at or above `floor_mm`.
 Bounds bounds_above(const Model& model, float floor_mm);
 
-/// Angle-weighted vertex normals (Thuermer and Wuethrich 1998), smooth across vertices at the same place.
+/// Angle-weighted vertex normals [ThuermerWuethrich1998], smooth across vertices at the same place.
 void compute_normals(Mesh& mesh);
 /// Tangents along +u, orthogonal to the normals; any orthogonal direction where the UVs are degenerate.
 void compute_tangents(Mesh& mesh);
 
 /// Round off the facets of a coarse mesh: split each triangle into four until the mean edge is at most
-/// `longest_edge_mm`. New vertices lie on the curved PN triangles of Vlachos et al. (2001), so that the
+/// `longest_edge_mm`. New vertices lie on the curved PN triangles [Vlachos2001], so that the
 /// surface goes through the old vertices with their normals, without cracks; creases (normals that differ at
 /// one place by more than 30 degrees) stay sharp. Stops before it makes more than 2 million triangles.
 void refine(Mesh& mesh, float longest_edge_mm);

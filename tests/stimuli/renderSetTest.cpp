@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#include <algorithm>
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <support/error.h>
+#include <support/file.h>
+
+#include "figure9.h"
+#include "render_set.h"
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+/// Write a square of 0.2 m as a glTF model: a head that is quick to make and to render.
+void write_square(const fs::path& file) {
+    const float floats[] = {-.1f, -.1f, 0, .1f, -.1f, 0, .1f, .1f, 0, -.1f, .1f, 0, 0, 1, 1, 1, 1, 0, 0, 0};
+    const std::uint16_t indices[] = {0, 1, 2, 0, 2, 3};
+    std::ofstream buffer(file.parent_path() / "square.bin", std::ios::binary);
+    buffer.write(reinterpret_cast<const char*>(floats), sizeof floats);
+    buffer.write(reinterpret_cast<const char*>(indices), sizeof indices);
+    std::ofstream(file) << R"({
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2}]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
+                      {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC2"},
+                      {"bufferView": 2, "componentType": 5123, "count": 6, "type": "SCALAR"}],
+        "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 48},
+                        {"buffer": 0, "byteOffset": 48, "byteLength": 32},
+                        {"buffer": 0, "byteOffset": 80, "byteLength": 12}],
+        "buffers": [{"uri": "square.bin", "byteLength": 92}]})";
+}
+
+/// The paper's study in small pictures of a square, with changes.
+class RenderSetTest : public testing::Test {
+protected:
+    fs::path folder =
+        fs::temp_directory_path() /
+        (std::string("renderSetTest.") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::path protocol_file = folder / "small.toml";
+    fs::path out = folder / "out";
+
+    void SetUp() override {
+        fs::remove_all(folder);
+        fs::create_directories(folder);
+        std::string text = support::read_text(PROTOCOLS "/jimenez2009.toml");
+        replace(text, "width = 1650", "width = 132");
+        replace(text, "height = 988", "height = 79");
+        replace(text, "map_size = 1024\n\n", "map_size = 64\n\n"); // of [ts]
+        std::ofstream(protocol_file) << text;
+        write_square(folder / "square.gltf");
+    }
+    void TearDown() override { fs::remove_all(folder); }
+
+    static void replace(std::string& text, const std::string& from, const std::string& to) {
+        const std::size_t at = text.find(from);
+        ASSERT_NE(at, std::string::npos) << from;
+        text.replace(at, from.size(), to);
+    }
+    void change_protocol(const std::string& from, const std::string& to) const {
+        std::string text = support::read_text(protocol_file);
+        replace(text, from, to);
+        std::ofstream(protocol_file) << text;
+    }
+    stimuli::SetReport render(std::vector<std::string> only = {}, const std::string& shard = "") const {
+        stimuli::SetRequest request;
+        request.protocol_file = protocol_file;
+        request.out = out;
+        request.only = std::move(only);
+        request.shard = shard;
+        request.model_file = folder / "square.gltf";
+        return stimuli::render_set(request);
+    }
+    static std::vector<std::string> rendered(const stimuli::SetReport& report) {
+        std::vector<std::string> names;
+        for (const stimuli::Outcome& outcome : report.outcomes) {
+            if (outcome.rendered) {
+                names.push_back(outcome.name);
+            }
+        }
+        return names;
+    }
+    json manifest() const { return json::parse(support::read_text(out / "manifest.json")); }
+    std::map<std::string, std::string> digests() const {
+        std::map<std::string, std::string> result;
+        const json written = manifest();
+        for (const json& image : written["images"]) {
+            result[image["file"]] = image["sha256"];
+        }
+        return result;
+    }
+};
+
+} // namespace
+
+TEST_F(RenderSetTest, writesImagesManifestAndContactSheetOnce) {
+    EXPECT_EQ(rendered(render()).size(), 48u);
+    EXPECT_TRUE(fs::exists(out / "contact_sheet.png"));
+    const json written = manifest();
+    ASSERT_EQ(written["images"].size(), 48u);
+    for (const json& image : written["images"]) {
+        EXPECT_EQ(support::sha256_of_file(out / image["file"].get<std::string>()), image["sha256"]);
+        EXPECT_TRUE(image["passes_run"].is_array() && image["passes_skipped"].is_array());
+    }
+    EXPECT_EQ(written["protocol"]["digest"], support::sha256_of_file(protocol_file));
+    // 48 images, manifest, contact sheet, and nothing left of writing them.
+    EXPECT_EQ(std::distance(fs::directory_iterator(out), fs::directory_iterator()), 50);
+    EXPECT_TRUE(rendered(render()).empty());
+    EXPECT_EQ(digests().size(), 48u);
+}
+
+TEST_F(RenderSetTest, rendersAgainWhatChangedAndNothingElse) {
+    render();
+    const auto before = digests();
+    change_protocol("[bloom]", "[ss_full]\nalpha = 5.5\n\n[bloom]");
+    const auto again = rendered(render());
+    EXPECT_EQ(again.size(), 12u);
+    EXPECT_TRUE(std::all_of(again.begin(), again.end(),
+                            [](const auto& name) { return name.starts_with("ss_full"); }));
+    const json written = manifest();
+    for (const json& image : written["images"]) {
+        const json expected = image["shader"] == "ss_full" ? json(5.5) : json("physical");
+        EXPECT_EQ(image["parameters"]["method"].value("alpha", json("physical")), expected);
+    }
+
+    fs::remove(out / "ts_far_060.png");
+    std::ofstream(out / "no_sss_near_110.png", std::ios::app) << "x";
+    EXPECT_EQ(rendered(render()), (std::vector<std::string>{"ts_far_060", "no_sss_near_110"}));
+    EXPECT_EQ(digests()["ts_far_060.png"], before.at("ts_far_060.png"));
+}
+
+TEST_F(RenderSetTest, aSelectionLeavesTheRestForLater) {
+    EXPECT_EQ(rendered(render({"shader=ss_jittered", "azimuth=0"})).size(), 3u);
+    EXPECT_FALSE(fs::exists(out / "contact_sheet.png"));
+    const auto report = render({"distance=far"});
+    EXPECT_EQ(rendered(report).size(), 15u);
+    EXPECT_EQ(report.missing, 30u);
+    EXPECT_EQ(rendered(render()).size(), 30u);
+}
+
+TEST_F(RenderSetTest, shardsMakeTheSameBytesAsTheWholeSet) {
+    render();
+    const auto whole = digests();
+    fs::remove_all(out);
+    EXPECT_EQ(rendered(render({}, "1/2")).size(), 24u);
+    EXPECT_EQ(rendered(render({}, "2/2")).size(), 24u);
+    EXPECT_EQ(digests(), whole);
+    EXPECT_TRUE(fs::exists(out / "contact_sheet.png"));
+}
+
+TEST_F(RenderSetTest, forgetsImagesThatNoLongerBelong) {
+    render({"azimuth=0"});
+    change_protocol("fov_deg = 20.0", "fov_deg = 21.0");
+    render({"azimuth=60"});
+    // Images of the old lens are not passed off as images of the new one.
+    const json written = manifest();
+    EXPECT_EQ(written["images"].size(), 12u);
+    for (const json& image : written["images"]) {
+        EXPECT_EQ(image["azimuth_deg"], 60);
+    }
+}
+
+TEST_F(RenderSetTest, aBrokenManifestVouchesForNothing) {
+    render({"azimuth=0"});
+    std::ofstream(out / "manifest.json") << "{\"images\": [{\"file\": 3}, ";
+    EXPECT_EQ(rendered(render({"azimuth=0"})).size(), 12u);
+}
+
+TEST_F(RenderSetTest, wrongInputLeavesNothingBehind) {
+    stimuli::SetRequest request;
+    request.protocol_file = protocol_file;
+    request.out = out;
+    request.model_file = folder / "missing.glb";
+    EXPECT_THROW(stimuli::render_set(request), support::InputError);
+    request.model_file = folder / "square.gltf";
+    request.only = {"shader=wax"};
+    EXPECT_THROW(stimuli::render_set(request), support::InputError);
+    request.only = {};
+    request.protocol_file = folder / "missing.toml";
+    EXPECT_THROW(stimuli::render_set(request), support::InputError);
+    EXPECT_FALSE(fs::exists(out));
+    std::ofstream(folder / "file") << "in the way";
+    request.protocol_file = protocol_file;
+    request.out = folder / "file";
+    EXPECT_THROW(stimuli::render_set(request), support::InputError);
+}
+
+// [Jimenez2009, Figure 9]: over the head's pixels ss_full is nearest to ts, no_sss farthest, in every view.
+TEST_F(RenderSetTest, errorsOfTheBuiltInHeadStandInTheOrderOfFigure9) {
+    change_protocol("width = 132", "width = 660");
+    change_protocol("height = 79", "height = 395");
+    change_protocol("map_size = 64", "map_size = 1024");
+    stimuli::SetRequest request;
+    request.protocol_file = protocol_file;
+    request.out = out;
+    request.exr = true;
+    stimuli::render_set(request);
+    const auto views = figure9(study::read_protocol(protocol_file), out);
+    ASSERT_EQ(views.size(), 12u);
+    for (const ViewErrors& view : views) {
+        EXPECT_TRUE(view.ordered()) << view.view << ": no_sss " << view.rmse.at("no_sss") << ", ss_jittered "
+                                    << view.rmse.at("ss_jittered") << ", ss_full " << view.rmse.at("ss_full");
+    }
+}
