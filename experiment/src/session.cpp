@@ -32,6 +32,7 @@ void run_to_the_end(const study::Protocol& protocol, const Schedule& schedule, S
     };
     try {
         run_trials(protocol.session, schedule, stage, log);
+        sidecar.finish(log.answers(), "all trials answered", stage.facts());
     } catch (const Interrupted& interruption) {
         sidecar.finish(log.answers(), interruption.what(), stage.facts());
         throw support::Failure(explain(interruption.what()));
@@ -44,7 +45,6 @@ void run_to_the_end(const study::Protocol& protocol, const Schedule& schedule, S
         }
         throw support::Failure(explain(error.what()));
     }
-    sidecar.finish(log.answers(), "all trials answered", stage.facts());
     try {
         run_end_page(protocol.session, schedule, stage);
     } catch (const Interrupted&) {

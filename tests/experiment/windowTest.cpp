@@ -127,8 +127,9 @@ TEST_F(WindowTest, runsASessionByRealKeysAndShowsEachPicturePixelForPixel) {
         EXPECT_EQ(rows[i].at("first"), schedule_[i].first);
         EXPECT_EQ(rows[i].at("azimuth_deg"), std::to_string(schedule_[i].azimuth_deg));
         EXPECT_EQ(rows[i].at("response"), answers[i].substr(answers[i].size() - 1));
-        // The grey is not cut short. It may last longer on a machine that has other things to do.
-        EXPECT_GE(std::stod(rows[i].at("onset_second")) - std::stod(rows[i].at("onset_grey")), 0.5 - 0.005);
+        // Paced by the clock, the grey's end is foretold from how long swaps took just before; a machine that
+        // is busy then and idle at the end ends it early by a swap at most, and may end it late by any time.
+        EXPECT_GE(std::stod(rows[i].at("onset_second")) - std::stod(rows[i].at("onset_grey")), 0.5 - 0.05);
         EXPECT_GT(std::stod(rows[i].at("response_time")), 0);
     }
     // A virtual screen has no refresh.
