@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <memory>
+#include <map>
+#include <utility>
 
 #include <ft2build.h>
 #include FT_FREETYPE_H
@@ -36,37 +37,48 @@ char32_t take_code_point(std::string_view& text) {
     return whole ? code : replacement;
 }
 
-/// FreeType's library and one face.
+/// FreeType's library and the font, opened once a thread.
 class Face {
 public:
-    explicit Face(int size_px) {
+    Face() {
         const auto font = std::find_if(fonts.begin(), fonts.end(),
                                        [](const char* file) { return std::filesystem::exists(file); });
         if (font == fonts.end()) {
             throw failure("the font {} is needed to draw text; found none (Debian package fonts-dejavu-core)",
                           fonts[0]);
         }
-        const bool ok = FT_Init_FreeType(&library_) == 0 && FT_New_Face(library_, *font, 0, &face_) == 0 &&
-                        FT_Set_Pixel_Sizes(face_, 0, static_cast<FT_UInt>(size_px)) == 0;
-        if (!ok) {
-            throw failure("{}: cannot be used at {} pixels", *font, size_px);
+        if (FT_Init_FreeType(&library_) != 0 || FT_New_Face(library_, *font, 0, &face_) != 0) {
+            throw failure("{}: expected a font, found a file that FreeType cannot read", *font);
         }
     }
-    ~Face() {
-        if (face_) {
-            FT_Done_Face(face_);
-        }
-        FT_Done_FreeType(library_);
-    }
+    ~Face() { FT_Done_FreeType(library_); } // and its faces
     Face(const Face&) = delete;
     Face& operator=(const Face&) = delete;
-    FT_Face operator->() const { return face_; }
     FT_Face get() const { return face_; }
 
 private:
     FT_Library library_ = nullptr;
     FT_Face face_ = nullptr;
 };
+
+/// The font at a size.
+FT_Face sized_face(int size_px) {
+    thread_local const Face face;
+    if (FT_Set_Pixel_Sizes(face.get(), 0, static_cast<FT_UInt>(size_px)) != 0) {
+        throw failure("the font cannot be used at {} pixels", size_px);
+    }
+    return face.get();
+}
+
+constexpr int unit = 64; // FreeType counts in 64ths of a pixel
+
+/// Load a letter into the face's glyph slot; give how far it moves the pen.
+int advance_of(FT_Face face, char32_t code, FT_Int32 flags) {
+    if (FT_Load_Char(face, code, flags) != 0) {
+        throw failure("the letter U+{:04X} cannot be drawn", static_cast<std::uint32_t>(code));
+    }
+    return static_cast<int>(face->glyph->advance.x / unit);
+}
 
 void add_glyph(TextRaster& raster, const FT_GlyphSlot glyph, int pen_x, int baseline) {
     for (int row = 0; row < static_cast<int>(glyph->bitmap.rows); ++row) {
@@ -85,32 +97,34 @@ void add_glyph(TextRaster& raster, const FT_GlyphSlot glyph, int pen_x, int base
 
 } // namespace
 
-TextRaster text_raster(std::string_view text, int size_px) {
-    const Face face(size_px);
-    constexpr int unit = 64; // FreeType counts in 64ths of a pixel
-    const auto ascender = static_cast<int>(face->size->metrics.ascender / unit);
-    const auto height = static_cast<int>(face->size->metrics.height / unit);
+int text_width(std::string_view text, int size_px) {
+    // Layouts ask for the same letters over and over.
+    thread_local std::map<std::pair<int, char32_t>, int> advances;
+    int width = 0;
+    while (!text.empty()) {
+        const char32_t code = take_code_point(text);
+        const auto [found, added] = advances.emplace(std::pair(size_px, code), 0);
+        if (added) {
+            found->second = advance_of(sized_face(size_px), code, FT_LOAD_DEFAULT);
+        }
+        width += found->second;
+    }
+    return width;
+}
 
-    // Measure, then draw.
+TextRaster text_raster(std::string_view text, int size_px) {
     TextRaster raster;
-    raster.height = height;
-    for (const bool drawing : {false, true}) {
-        int pen_x = 0;
-        for (std::string_view rest = text; !rest.empty();) {
-            const char32_t code = take_code_point(rest);
-            if (FT_Load_Char(face.get(), code, FT_LOAD_RENDER) != 0) {
-                throw failure("the letter U+{:04X} cannot be drawn", static_cast<std::uint32_t>(code));
-            }
-            if (drawing) {
-                add_glyph(raster, face->glyph, pen_x, ascender);
-            }
-            pen_x += static_cast<int>(face->glyph->advance.x / unit);
-        }
-        if (!drawing) {
-            raster.width = std::max(pen_x, 1);
-            raster.coverage.assign(static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(height),
-                                   0);
-        }
+    raster.width = std::max(text_width(text, size_px), 1);
+    const FT_Face face = sized_face(size_px);
+    raster.height = static_cast<int>(face->size->metrics.height / unit);
+    raster.baseline = static_cast<int>(face->size->metrics.ascender / unit);
+    raster.coverage.assign(static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height),
+                           0);
+    int pen_x = 0;
+    while (!text.empty()) {
+        const int advance = advance_of(face, take_code_point(text), FT_LOAD_RENDER);
+        add_glyph(raster, face->glyph, pen_x, raster.baseline);
+        pen_x += advance;
     }
     return raster;
 }

@@ -4,21 +4,16 @@
 #include "page.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <filesystem>
 #include <iterator>
 #include <optional>
 #include <sstream>
 
-#include <OpenImageIO/imagebufalgo.h>
-
 #include <support/error.h>
+#include <support/text_raster.h>
 
 namespace experiment {
 namespace {
-
-namespace algo = OIIO::ImageBufAlgo;
 
 constexpr double text_share = 0.9;                      // of the page's width and height
 constexpr int largest_divisor = 30, least_divisor = 70; // page height over font size
@@ -26,32 +21,6 @@ constexpr int unbroken_divisor = 40;                    // smallest letters that
 constexpr int smallest_font_px = 6;
 constexpr double line_spacing = 1.45; // line height over font size
 constexpr std::size_t announcement_lines = 4;
-
-/// DejaVu Sans, which has the letters of most alphabets, where distributions put it.
-const std::string& font() {
-    static const std::string found = [] {
-        constexpr std::array candidates{
-            "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
-            "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
-            "/usr/share/fonts/dejavu/DejaVuSans.ttf",
-            "/usr/share/fonts/TTF/DejaVuSans.ttf",
-        };
-        for (const char* candidate : candidates) {
-            if (std::filesystem::exists(candidate)) {
-                return std::string(candidate);
-            }
-        }
-        throw support::failure("{}: expected the font DejaVu Sans (Debian package fonts-dejavu-core), found "
-                               "none",
-                               candidates.front());
-    }();
-    return found;
-}
-
-int width_of(const std::string& text, int font_px) {
-    const OIIO::ROI roi = algo::text_size(text, font_px, font());
-    return roi.defined() ? roi.width() : 0;
-}
 
 std::vector<std::string> lines_of(const std::string& text) {
     std::vector<std::string> lines;
@@ -64,13 +33,13 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 /// Break a line at spaces so that no part is wider than the limit; a longer word stays whole.
 std::vector<std::string> broken(const std::string& line, int font_px, int most_px) {
-    if (width_of(line, font_px) <= most_px) {
+    if (support::text_width(line, font_px) <= most_px) {
         return {line};
     }
     std::vector<std::string> parts;
     std::istringstream words(line);
     for (std::string word; words >> word;) {
-        if (!parts.empty() && width_of(parts.back() + " " + word, font_px) <= most_px) {
+        if (!parts.empty() && support::text_width(parts.back() + " " + word, font_px) <= most_px) {
             parts.back() += " " + word;
         } else {
             parts.push_back(word);
@@ -86,7 +55,7 @@ std::optional<PageLayout> try_font(const std::vector<std::string>& lines, int fo
     const int block_height = static_cast<int>(lines.size()) * line_px;
     int block_width = 0;
     for (const std::string& line : lines) {
-        block_width = std::max(block_width, width_of(line, font_px));
+        block_width = std::max(block_width, support::text_width(line, font_px));
     }
     if (block_width > static_cast<int>(text_share * width) ||
         block_height > static_cast<int>(text_share * height)) {
@@ -98,13 +67,32 @@ std::optional<PageLayout> try_font(const std::vector<std::string>& lines, int fo
     int baseline = (height - block_height) / 2 + font_px;
     for (const std::string& line : lines) {
         layout.lines.push_back(
-            {line, (width - (centred ? width_of(line, font_px) : block_width)) / 2, baseline});
+            {line, (width - (centred ? support::text_width(line, font_px) : block_width)) / 2, baseline});
         baseline += line_px;
     }
     return layout;
 }
 
 std::uint8_t byte_of(double level) { return static_cast<std::uint8_t>(std::lround(255 * level)); }
+
+/// Blend a line's letters into the page, where they lie inside it.
+void draw_line(Pixels& page, const PageLayout::Line& line, int font_px) {
+    const support::TextRaster raster = support::text_raster(line.text, font_px);
+    for (int row = 0; row < raster.height; ++row) {
+        const int y = line.baseline - raster.baseline + row;
+        for (int column = 0; column < raster.width; ++column) {
+            const int x = line.left + column;
+            const int cover = raster.coverage[static_cast<std::size_t>(row * raster.width + column)];
+            if (cover == 0 || x < 0 || x >= page.width || y < 0 || y >= page.height) {
+                continue;
+            }
+            const std::uint8_t level = byte_of(page_ground + (page_ink - page_ground) * cover / 255);
+            std::fill_n(&page.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(page.width) +
+                                        static_cast<std::size_t>(x))],
+                        3, level);
+        }
+    }
+}
 
 } // namespace
 
@@ -138,13 +126,8 @@ Pixels render_page(const std::string& text, int width, int height) {
     Pixels page{width, height, {}};
     page.rgba.assign(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height),
                      byte_of(page_ground));
-    OIIO::ImageBuf canvas(OIIO::ImageSpec(width, height, 4, OIIO::TypeDesc::UINT8), page.rgba.data());
-    const auto ink = static_cast<float>(page_ink);
     for (const PageLayout::Line& line : layout.lines) {
-        if (!line.text.empty() && !algo::render_text(canvas, line.left, line.baseline, line.text,
-                                                     layout.font_px, font(), {ink, ink, ink, 1.0F})) {
-            throw support::failure("a page of text cannot be rendered: {}", canvas.geterror());
-        }
+        draw_line(page, line, layout.font_px);
     }
     return page;
 }
