@@ -64,7 +64,11 @@ void run_session(const SessionOptions& options) {
         options.observer ? std::optional(Observer(*options.observer, protocol)) : std::nullopt;
     const StimulusSet stimuli(options.stimuli, stimuli_of(schedule), protocol.image.width,
                               protocol.image.height);
-    const StudyFolder study(options.study, observer.has_value());
+    const StudyFolder study(options.study, observer.has_value(), protocol.name);
+    if (stimuli.protocol_digest() != protocol.digest) {
+        fmt::print(stderr, "skin2afc: warning: {}: rendered by another version of the protocol than {}\n",
+                   (options.stimuli / "manifest.json").string(), options.protocol.string());
+    }
 
     // Set the stage.
     const Interruption interruption;

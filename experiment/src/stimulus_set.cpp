@@ -11,6 +11,7 @@
 
 #include <support/error.h>
 #include <support/file.h>
+#include <support/json_depth.h>
 
 namespace experiment {
 namespace {
@@ -27,6 +28,9 @@ struct Entry {
 
 /// A JSON value for an error message: its type, and its text where that is short.
 std::string found(const json& value) {
+    if (value.is_structured()) {
+        return fmt::format("an {}", value.type_name());
+    }
     const std::string text = value.dump(-1, ' ', true, json::error_handler_t::replace);
     return text.size() <= 60 ? text : fmt::format("a long {}", value.type_name());
 }
@@ -37,6 +41,7 @@ public:
     explicit ManifestReader(const fs::path& file) : file_(file.string()) {}
 
     std::map<Stimulus, Entry> read(const std::string& text) const {
+        support::check_json_depth(text, file_);
         const json root = json::parse(text, nullptr, false);
         if (root.is_discarded()) {
             throw input_error("{}: expected JSON, found something else or a truncated file", file_);
@@ -57,6 +62,13 @@ public:
             }
         }
         return entries;
+    }
+
+    /// The digest of the protocol in a manifest that read() has accepted.
+    static std::string protocol_digest(const std::string& text) {
+        const json root = json::parse(text, nullptr, false);
+        const json digest = root.value(json::json_pointer("/protocol/digest"), json());
+        return digest.is_string() ? digest.get<std::string>() : std::string();
     }
 
 private:
@@ -145,6 +157,7 @@ StimulusSet::StimulusSet(fs::path folder, const std::vector<Stimulus>& needed, i
     const std::string text = support::read_text(manifest, largest_manifest);
     manifest_digest_ = support::sha256(text);
     const auto entries = ManifestReader(manifest).read(text);
+    protocol_digest_ = ManifestReader::protocol_digest(text);
 
     // Hold each needed picture against it.
     for (const Stimulus& stimulus : needed) {

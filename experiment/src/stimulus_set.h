@@ -29,10 +29,13 @@ public:
     /// SHA-256 of the manifest, which names every picture's own.
     const std::string& manifest_digest() const { return manifest_digest_; }
 
+    /// SHA-256 of the protocol that the manifest names; empty if it names none.
+    const std::string& protocol_digest() const { return protocol_digest_; }
+
 private:
     fs::path folder_;
     std::map<Stimulus, fs::path> files_;
-    std::string manifest_digest_;
+    std::string manifest_digest_, protocol_digest_;
 };
 
 } // namespace experiment

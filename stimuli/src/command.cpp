@@ -102,6 +102,7 @@ void add_command(CLI::App& app) {
     command
         ->add_option("--only", request.only,
                      "Render these images alone: KEY=V[,V...], KEY being shader, distance or azimuth")
+        ->allow_extra_args(false) // so that it does not swallow what follows its value
         ->take_all();
     command->add_option("--shard", request.shard,
                         "Render part I of N alone, as I/N; all parts together are the set");

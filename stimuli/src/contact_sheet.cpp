@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using renderer::passes::Frame;
 
-constexpr int widest_thumbnail = 420, gap = 6, label_width = 120, heading_height = 40, font_px = 20;
+constexpr int widest_thumbnail = 420, gap = 6, margin = 12, heading_height = 40, font_px = 20;
 constexpr std::uint8_t paper = 30, ink = 220;
 
 std::uint8_t* pixel(Frame& sheet, int x, int y) {
@@ -75,10 +75,27 @@ void paste_thumbnail(Frame& sheet, int left, int top, const fs::path& file, int 
     }
 }
 
+/// The text beside a view's row.
+std::string view_label(const study::Distance& distance, int azimuth_deg) {
+    return fmt::format("{} {}°", distance.name, azimuth_deg);
+}
+
+/// Room for the widest row label, with a margin on both sides.
+int label_column_width(const study::Protocol& protocol) {
+    int widest = 0;
+    for (const study::Distance& distance : protocol.camera.distances) {
+        for (const int azimuth : protocol.light.azimuths_deg) {
+            widest = std::max(widest, support::text_width(view_label(distance, azimuth), font_px));
+        }
+    }
+    return widest + 2 * margin;
+}
+
 } // namespace
 
 void write_contact_sheet(const fs::path& folder, const study::Protocol& protocol) {
     const int shrink = (protocol.image.width + widest_thumbnail - 1) / widest_thumbnail;
+    const int label_width = label_column_width(protocol);
     const int cell_width = protocol.image.width / shrink + gap;
     const int cell_height = protocol.image.height / shrink + gap;
     const auto columns = static_cast<int>(protocol.shaders.size());
@@ -100,8 +117,8 @@ void write_contact_sheet(const fs::path& folder, const study::Protocol& protocol
                 const std::string name = study::stimulus_name(shader, distance.name, azimuth);
                 paste_thumbnail(sheet, left, top, folder / (name + ".png"), shrink);
                 if (column == 0) {
-                    label(sheet, label_width - 12, top + cell_height / 2,
-                          fmt::format("{} {}°", distance.name, azimuth), 1);
+                    label(sheet, label_width - margin, top + cell_height / 2, view_label(distance, azimuth),
+                          1);
                 }
                 ++row;
             }

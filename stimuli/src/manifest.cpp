@@ -12,6 +12,7 @@
 
 #include <support/error.h>
 #include <support/file.h>
+#include <support/json_depth.h>
 
 namespace stimuli {
 namespace {
@@ -44,15 +45,23 @@ std::string entry_name(const Json& entry) {
 
 Manifest::Manifest(fs::path folder, Json header) : folder_(std::move(folder)), header_(std::move(header)) {}
 
-std::map<std::string, Json> Manifest::entries() const {
-    std::map<std::string, Json> result;
+/// The manifest on disk, or null: one that cannot be understood vouches for nothing, its images are made
+/// again.
+Json Manifest::read() const {
     const fs::path file = folder_ / "manifest.json";
     if (!fs::exists(file)) {
-        return result;
+        return nullptr;
     }
-    // A manifest that cannot be understood vouches for nothing: its images are made again.
-    const Json json = Json::parse(support::read_text(file), nullptr, false);
-    if (json.is_object() && json.contains("images") && json["images"].is_array()) {
+    const std::string text = support::read_text(file);
+    support::check_json_depth(text, file.string());
+    Json json = Json::parse(text, nullptr, false);
+    return json.is_object() ? json : Json();
+}
+
+std::map<std::string, Json> Manifest::entries() const {
+    std::map<std::string, Json> result;
+    const Json json = read();
+    if (json.contains("images") && json["images"].is_array()) {
         for (const Json& entry : json["images"]) {
             const bool whole = entry.is_object() && entry.contains("file") && entry["file"].is_string() &&
                                entry.contains("sha256") && entry["sha256"].is_string() &&
@@ -65,12 +74,19 @@ std::map<std::string, Json> Manifest::entries() const {
     return result;
 }
 
+std::string Manifest::contact_sheet_inputs() const {
+    const Json json = read();
+    const bool noted = json.contains("contact_sheet_inputs") && json["contact_sheet_inputs"].is_string();
+    return noted ? json["contact_sheet_inputs"].get<std::string>() : std::string();
+}
+
 template <typename Change>
 void Manifest::change(const Change& change) {
     const FolderLock lock(folder_);
     auto current = entries();
-    change(current);
     Json json = header_;
+    json["contact_sheet_inputs"] = contact_sheet_inputs();
+    change(current, json);
     json["images"] = Json::array();
     for (const auto& [name, entry] : current) {
         json["images"].push_back(entry);
@@ -78,8 +94,12 @@ void Manifest::change(const Change& change) {
     support::write_atomically(folder_ / "manifest.json", json.dump(2) + "\n");
 }
 
+void Manifest::note_contact_sheet(const std::string& inputs) {
+    change([&](auto&, Json& json) { json["contact_sheet_inputs"] = inputs; });
+}
+
 void Manifest::keep_only(const std::map<std::string, std::string>& recipes) {
-    change([&](auto& entries) {
+    change([&](auto& entries, Json&) {
         std::erase_if(entries, [&](const auto& item) {
             const auto recipe = recipes.find(item.first);
             return recipe == recipes.end() ||
@@ -89,7 +109,7 @@ void Manifest::keep_only(const std::map<std::string, std::string>& recipes) {
 }
 
 void Manifest::add(const std::string& name, const Json& entry) {
-    change([&](auto& entries) { entries[name] = entry; });
+    change([&](auto& entries, Json&) { entries[name] = entry; });
 }
 
 } // namespace stimuli

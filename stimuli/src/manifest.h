@@ -24,10 +24,15 @@ public:
     /// Keep of the entries on disk only those whose "recipe" is the one given for their name.
     void keep_only(const std::map<std::string, std::string>& recipes);
 
+    /// The digest of what the contact sheet in the folder was made from; empty if there is none.
+    std::string contact_sheet_inputs() const;
+    void note_contact_sheet(const std::string& inputs);
+
     /// Add or replace one image's entry.
     void add(const std::string& name, const nlohmann::ordered_json& entry);
 
 private:
+    nlohmann::ordered_json read() const;
     template <typename Change>
     void change(const Change& change);
     std::filesystem::path folder_;

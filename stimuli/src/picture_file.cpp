@@ -11,35 +11,34 @@
 namespace stimuli {
 namespace {
 
-void write(const std::filesystem::path& path, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
-           const void* pixels) {
-    const auto output = OIIO::ImageOutput::create(path.string());
-    if (!output || !output->open(path.string(), spec) || !output->write_image(type, pixels) ||
-        !output->close()) {
-        throw support::failure("{}: cannot be written: {}", path.string(),
+/// Write beside the final place, take the digest, and rename.
+std::string write_whole(const std::filesystem::path& file, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
+                        const void* pixels) {
+    support::PendingFile pending(file);
+    const std::string path = pending.path().string();
+    const auto output = OIIO::ImageOutput::create(path);
+    if (!output || !output->open(path, spec) || !output->write_image(type, pixels) || !output->close()) {
+        throw support::failure("{}: cannot be written: {}", file.string(),
                                output ? output->geterror() : OIIO::geterror());
     }
-}
-
-} // namespace
-
-std::string write_png(const std::filesystem::path& file, const renderer::passes::Frame& frame) {
-    support::PendingFile pending(file);
-    OIIO::ImageSpec spec(frame.width, frame.height, 3, OIIO::TypeDesc::UINT8);
-    spec["oiio:ColorSpace"] = "sRGB";
-    spec["png:compressionLevel"] = 4; // a quarter of the default's time for a few per cent more bytes
-    write(pending.path(), spec, OIIO::TypeDesc::UINT8, frame.srgb.data());
     std::string digest = support::sha256_of_file(pending.path());
     pending.commit();
     return digest;
 }
 
-void write_exr(const std::filesystem::path& file, const renderer::passes::Frame& frame) {
-    support::PendingFile pending(file);
+} // namespace
+
+std::string write_png(const std::filesystem::path& file, const renderer::passes::Frame& frame) {
+    OIIO::ImageSpec spec(frame.width, frame.height, 3, OIIO::TypeDesc::UINT8);
+    spec["oiio:ColorSpace"] = "sRGB";
+    spec["png:compressionLevel"] = 4; // a quarter of the default's time for a few per cent more bytes
+    return write_whole(file, spec, OIIO::TypeDesc::UINT8, frame.srgb.data());
+}
+
+std::string write_exr(const std::filesystem::path& file, const renderer::passes::Frame& frame) {
     OIIO::ImageSpec spec(frame.width, frame.height, 4, OIIO::TypeDesc::HALF);
     spec["compression"] = "zip";
-    write(pending.path(), spec, OIIO::TypeDesc::FLOAT, frame.linear.data());
-    pending.commit();
+    return write_whole(file, spec, OIIO::TypeDesc::FLOAT, frame.linear.data());
 }
 
 } // namespace stimuli

@@ -61,10 +61,16 @@ scene::Model load_model(const study::Protocol& protocol, const std::optional<fs:
     return scene::load_gltf(path, overrides);
 }
 
+/// The files of one image.
+struct Files {
+    std::string png_digest, exr_digest; ///< SHA-256; empty if not written
+    double seconds = 0;                 ///< spent on writing them
+};
+
 /// An image that has been rendered and is being encoded.
 struct Encoding {
     std::size_t outcome;
-    std::future<std::pair<std::string, double>> digest_and_seconds;
+    std::future<Files> files;
 };
 
 /// One run of the command.
@@ -86,9 +92,12 @@ public:
         timed("making a context", [&] { context_.emplace(renderer::gl::Context::headless()); });
         report_.driver = renderer::gl::driver_info().renderer;
         report_.model = model_.name;
-        support::make_writable_folder(request_.out);
         Manifest manifest(request_.out, header());
+        check_folder(manifest);
         plan(manifest);
+        prepare();
+        support::make_writable_folder(request_.out);
+        manifest.keep_only(recipe_digests_);
         render(manifest);
         finish(manifest);
         report_.seconds = seconds_since(start);
@@ -128,19 +137,46 @@ private:
                 {"renderer", report_.driver}};
     }
 
-    /// Decide for each image whether it must be rendered, and forget those that are out of date.
-    void plan(Manifest& manifest) {
+    /// Rendering a part of the set with another model would drop the rest of the folder's images: more likely
+    /// a forgotten --model than a wish.
+    void check_folder(const Manifest& manifest) const {
+        const bool part = !request_.only.empty() || !request_.shard.empty();
+        for (const auto& [name, entry] : manifest.entries()) {
+            const bool same =
+                entry.contains("parameters") && entry["parameters"].value("model", "") == model_.digest;
+            if (part && !same && !request_.force) {
+                throw support::input_error(
+                    "{}: expected images of the model {}, found {} of another model; give --model, "
+                    "another folder, or --force",
+                    request_.out.string(), model_.name, name);
+            }
+        }
+    }
+
+    /// Decide for each image whether it must be rendered.
+    void plan(const Manifest& manifest) {
         const scene::HeadFrame head = head_frame(protocol_, model_);
         items_ = design(protocol_);
         const auto entries = manifest.entries();
-        std::map<std::string, std::string> recipe_digests;
+
         for (const Item& item : items_) {
             recipes_.push_back(recipe(item, protocol_, model_, head, report_.driver));
-            recipe_digests[item.name()] = recipes_.back().digest;
+            recipe_digests_[item.name()] = recipes_.back().digest;
             report_.outcomes.push_back(
                 {item.name(), reason(item, recipes_.back(), entries), false, 0, {}, {}});
         }
-        manifest.keep_only(recipe_digests);
+    }
+
+    /// Meet all that the renderer could refuse, before anything is written.
+    void prepare() {
+        for (std::size_t i = 0; i < items_.size(); ++i) {
+            if (to_render(report_.outcomes[i])) {
+                if (!pipeline_) {
+                    pipeline_.emplace(model_, look(protocol_), methods(protocol_));
+                }
+                pipeline_->prepare(recipes_[i].shader, recipes_[i].camera, recipes_[i].light);
+            }
+        }
     }
 
     /// Why an image has to be rendered; "up to date" or "not selected" if it has not.
@@ -164,8 +200,10 @@ private:
             support::sha256_of_file(file) != found->second["sha256"].get<std::string>()) {
             return "its file is missing or changed";
         }
-        if (request_.exr && !fs::exists(request_.out / (item.name() + ".exr"))) {
-            return "its linear image is missing";
+        const fs::path linear = request_.out / (item.name() + ".exr");
+        if (request_.exr && !(found->second.contains("exr_sha256") && fs::exists(linear) &&
+                              found->second["exr_sha256"] == support::sha256_of_file(linear))) {
+            return "its linear image is missing or changed";
         }
         return "up to date";
     }
@@ -193,7 +231,7 @@ private:
             return;
         }
         progress_.emplace("rendering", count);
-        passes::Pipeline pipeline(model_, look(protocol_), methods(protocol_));
+
         for (std::size_t i = 0; i < items_.size(); ++i) {
             Outcome& outcome = report_.outcomes[i];
             if (!to_render(outcome)) {
@@ -201,7 +239,7 @@ private:
             }
             const auto start = Clock::now();
             const Recipe& recipe = recipes_[i];
-            passes::Frame frame = pipeline.render(recipe.shader, recipe.camera, recipe.light, request_.exr);
+            passes::Frame frame = pipeline_->render(recipe.shader, recipe.camera, recipe.light, request_.exr);
             outcome.rendered = true;
             outcome.milliseconds = 1000 * seconds_since(start);
             outcome.passes_run = frame.passes_run;
@@ -210,24 +248,28 @@ private:
             drain(manifest, longest_queue);
         }
         timed("waiting for files", [&] { drain(manifest, 0); });
-        for (const auto& [node, cost] : pipeline.costs()) {
+        for (const auto& [node, cost] : pipeline_->costs()) {
             report_.costs[node] = cost;
         }
-        report_.warnings = pipeline.warnings();
+        report_.warnings = pipeline_->warnings();
         progress_.reset();
     }
 
     /// Write the image's files on another thread while the next image is rendered.
     void encode(std::size_t i, passes::Frame frame) {
-        const fs::path stem = request_.out / items_[i].name();
+        const std::string stem = (request_.out / items_[i].name()).string();
         queue_.push_back(
             {i, std::async(std::launch::async, [stem, exr = request_.exr, frame = std::move(frame)] {
                  const auto start = Clock::now();
+                 Files files;
                  if (exr) {
-                     write_exr(stem.string() + ".exr", frame);
+                     files.exr_digest = write_exr(stem + ".exr", frame);
+                 } else {
+                     fs::remove(stem + ".exr"); // of another picture than the one to be written
                  }
-                 std::string digest = write_png(stem.string() + ".png", frame);
-                 return std::pair(std::move(digest), seconds_since(start));
+                 files.png_digest = write_png(stem + ".png", frame);
+                 files.seconds = seconds_since(start);
+                 return files;
              })});
     }
 
@@ -236,34 +278,51 @@ private:
         while (queue_.size() > longest) {
             Encoding encoding = std::move(queue_.front());
             queue_.pop_front();
-            const auto [digest, seconds] = encoding.digest_and_seconds.get();
-            add_cost("encoding (beside rendering)", seconds);
+            const Files files = encoding.files.get();
+            add_cost("encoding (beside rendering)", files.seconds);
             const Item& item = items_[encoding.outcome];
             const Outcome& outcome = report_.outcomes[encoding.outcome];
-            manifest.add(item.name(), {{"shader", item.shader},
-                                       {"distance", item.distance.name},
-                                       {"azimuth_deg", item.azimuth_deg},
-                                       {"file", item.name() + ".png"},
-                                       {"sha256", digest},
-                                       {"recipe", recipes_[encoding.outcome].digest},
-                                       {"milliseconds", outcome.milliseconds},
-                                       {"passes_run", outcome.passes_run},
-                                       {"passes_skipped", outcome.passes_reused},
-                                       {"parameters", recipes_[encoding.outcome].parameters}});
+            Json entry{{"shader", item.shader},
+                       {"distance", item.distance.name},
+                       {"azimuth_deg", item.azimuth_deg},
+                       {"file", item.name() + ".png"},
+                       {"sha256", files.png_digest},
+                       {"recipe", recipes_[encoding.outcome].digest},
+                       {"milliseconds", outcome.milliseconds},
+                       {"passes_run", outcome.passes_run},
+                       {"passes_skipped", outcome.passes_reused},
+                       {"parameters", recipes_[encoding.outcome].parameters}};
+            if (!files.exr_digest.empty()) {
+                entry["exr_sha256"] = files.exr_digest;
+            }
+            manifest.add(item.name(), entry);
             progress_->step(item.name());
         }
     }
 
-    /// Once the folder holds the whole set, draw its contact sheet.
-    void finish(const Manifest& manifest) {
+    /// Once the folder holds the whole set, draw its contact sheet, unless it shows the same already.
+    void finish(Manifest& manifest) {
         const auto entries = manifest.entries();
         for (const Item& item : items_) {
-            report_.missing += entries.contains(item.name()) ? 0 : 1;
+            const bool there =
+                entries.contains(item.name()) && fs::exists(request_.out / (item.name() + ".png"));
+            report_.missing += there ? 0 : 1;
         }
-        const bool rendered = std::any_of(report_.outcomes.begin(), report_.outcomes.end(),
-                                          [](const Outcome& outcome) { return outcome.rendered; });
-        if (report_.missing == 0 && (rendered || !fs::exists(request_.out / "contact_sheet.png"))) {
+        if (report_.missing > 0) {
+            return;
+        }
+        std::string inputs;
+        for (const std::string& shader : protocol_.shaders) {
+            for (const Item& item : items_) {
+                if (item.shader == shader) {
+                    inputs += item.name() + entries.at(item.name())["sha256"].get<std::string>();
+                }
+            }
+        }
+        inputs = support::sha256(inputs);
+        if (manifest.contact_sheet_inputs() != inputs || !fs::exists(request_.out / "contact_sheet.png")) {
             timed("contact sheet", [&] { write_contact_sheet(request_.out, protocol_); });
+            manifest.note_contact_sheet(inputs);
         }
     }
 
@@ -274,6 +333,8 @@ private:
     std::optional<renderer::gl::Context> context_;
     std::vector<Item> items_;
     std::vector<Recipe> recipes_; // as items_
+    std::map<std::string, std::string> recipe_digests_;
+    std::optional<passes::Pipeline> pipeline_;
     std::deque<Encoding> queue_;
     std::optional<support::Progress> progress_;
     SetReport report_;

@@ -4,6 +4,7 @@
 #include <study/protocol.h>
 
 #include <algorithm>
+#include <bit>
 #include <set>
 
 #include <fmt/format.h>
@@ -60,6 +61,10 @@ ImageSettings read_image(TomlTable table) {
     image.width = table.integer("width", 16, largest_side, image.width);
     image.height = table.integer("height", 16, largest_side, image.height);
     image.samples = table.integer("samples", 1, 64, image.samples);
+    if (!std::has_single_bit(static_cast<unsigned>(image.samples))) {
+        // Drivers allot powers of two, whatever is asked for.
+        throw table.error("samples", fmt::format("expected a power of two, found {}", image.samples));
+    }
     image.background = rgb(table, "background", 100, image.background);
     image.exposure = table.number("exposure", 1e-6, 1e6, image.exposure);
     return image;

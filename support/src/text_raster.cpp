@@ -116,8 +116,9 @@ TextRaster text_raster(std::string_view text, int size_px) {
     TextRaster raster;
     raster.width = std::max(text_width(text, size_px), 1);
     const FT_Face face = sized_face(size_px);
-    raster.height = static_cast<int>(face->size->metrics.height / unit);
-    raster.baseline = static_cast<int>(face->size->metrics.ascender / unit);
+    // Rounded up, so that no letter loses its top row or the last of a descender.
+    raster.baseline = static_cast<int>((face->size->metrics.ascender + unit - 1) / unit) + 1;
+    raster.height = raster.baseline + static_cast<int>((unit - 1 - face->size->metrics.descender) / unit) + 1;
     raster.coverage.assign(static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height),
                            0);
     int pen_x = 0;

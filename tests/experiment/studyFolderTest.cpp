@@ -33,7 +33,7 @@ TEST(LabelTest, isLettersAndDigits) {
 
 TEST(StudyFolderTest, notesEachParticipantOnce) {
     const fixture::TemporaryFolder folder;
-    const StudyFolder study(folder / "study", false);
+    const StudyFolder study(folder / "study", false, "paper");
     study.prepare("A study", "02");
     study.prepare("A study", "01");
     study.prepare("A study", "02");
@@ -43,7 +43,7 @@ TEST(StudyFolderTest, notesEachParticipantOnce) {
 TEST(StudyFolderTest, keepsWhatOthersWroteAboutParticipants) {
     const fixture::TemporaryFolder folder;
     fixture::write(folder / "participants.tsv", "participant_id\tage\tsex\r\nsub-9\t30\tf");
-    StudyFolder(folder.path(), false).prepare("A study", "01");
+    StudyFolder(folder.path(), false, "paper").prepare("A study", "01");
     EXPECT_EQ(fixture::read(folder / "participants.tsv"),
               "participant_id\tage\tsex\r\nsub-9\t30\tf\nsub-01\tn/a\tn/a\n");
 }
@@ -51,7 +51,7 @@ TEST(StudyFolderTest, keepsWhatOthersWroteAboutParticipants) {
 TEST(StudyFolderTest, refusesAForeignParticipantsTable) {
     const fixture::TemporaryFolder folder;
     fixture::write(folder / "participants.tsv", "name\nx\n");
-    EXPECT_THROW(StudyFolder(folder.path(), false).prepare("A study", "01"), support::InputError);
+    EXPECT_THROW(StudyFolder(folder.path(), false, "paper").prepare("A study", "01"), support::InputError);
     EXPECT_EQ(fixture::read(folder / "participants.tsv"), "name\nx\n");
 }
 
@@ -62,7 +62,7 @@ TEST(StudyFolderTest, notesEachParticipantOnceForProgramsAtOnce) {
     for (int i = 0; i < programs; ++i) {
         if (::fork() == 0) {
             for (int label = 0; label < participants; ++label) {
-                StudyFolder(folder.path(), true).prepare("A study", std::to_string(label));
+                StudyFolder(folder.path(), true, "paper").prepare("A study", std::to_string(label));
             }
             ::_exit(0);
         }
@@ -85,7 +85,7 @@ TEST(StudyFolderTest, waitsForTheProgramThatHoldsTheParticipants) {
     const pid_t child = ::fork();
     if (child == 0) {
         ::close(held);
-        StudyFolder(folder.path(), true).prepare("A study", "01");
+        StudyFolder(folder.path(), true, "paper").prepare("A study", "01");
         ::_exit(0);
     }
     ::usleep(200000); // a hundred times what it takes
@@ -97,8 +97,8 @@ TEST(StudyFolderTest, waitsForTheProgramThatHoldsTheParticipants) {
 
 TEST(StudyFolderTest, saysWhetherItsParticipantsAreSimulated) {
     const fixture::TemporaryFolder folder;
-    StudyFolder(folder / "real", false).prepare("A study", "01");
-    StudyFolder(folder / "simulated", true).prepare("A study", "01");
+    StudyFolder(folder / "real", false, "paper").prepare("A study", "01");
+    StudyFolder(folder / "simulated", true, "paper").prepare("A study", "01");
     const auto real = nlohmann::json::parse(fixture::read(folder / "real/dataset_description.json"));
     const auto simulated =
         nlohmann::json::parse(fixture::read(folder / "simulated/dataset_description.json"));
@@ -114,32 +114,39 @@ TEST(StudyFolderTest, saysWhetherItsParticipantsAreSimulated) {
 
 TEST(StudyFolderTest, keepsSimulatedAndRealParticipantsApart) {
     const fixture::TemporaryFolder folder;
-    StudyFolder(folder / "real", false).prepare("A study", "01");
-    StudyFolder(folder / "simulated", true).prepare("A study", "01");
-    EXPECT_THROW(StudyFolder(folder / "real", true), support::InputError);
-    EXPECT_THROW(StudyFolder(folder / "simulated", false), support::InputError);
-    EXPECT_NO_THROW(StudyFolder(folder / "real", false));
-    EXPECT_NO_THROW(StudyFolder(folder / "simulated", true));
+    StudyFolder(folder / "real", false, "paper").prepare("A study", "01");
+    StudyFolder(folder / "simulated", true, "paper").prepare("A study", "01");
+    EXPECT_THROW(StudyFolder(folder / "real", true, "paper"), support::InputError);
+    EXPECT_THROW(StudyFolder(folder / "simulated", false, "paper"), support::InputError);
+    EXPECT_NO_THROW(StudyFolder(folder / "real", false, "paper"));
+    EXPECT_NO_THROW(StudyFolder(folder / "simulated", true, "paper"));
 
     // Data that say nothing are real.
     fixture::write(folder / "silent/sub-01/beh/x.tsv", "x");
-    EXPECT_THROW(StudyFolder(folder / "silent", true), support::InputError);
+    EXPECT_THROW(StudyFolder(folder / "silent", true, "paper"), support::InputError);
     fixture::write(folder / "described/dataset_description.json", "{\"Name\": \"x\"}");
-    EXPECT_THROW(StudyFolder(folder / "described", true), support::InputError);
+    EXPECT_THROW(StudyFolder(folder / "described", true, "paper"), support::InputError);
+}
+
+TEST(StudyFolderTest, keepsProtocolsApart) {
+    const fixture::TemporaryFolder folder;
+    StudyFolder(folder / "study", false, "paper").prepare("A study", "01");
+    EXPECT_NO_THROW(StudyFolder(folder / "study", false, "paper"));
+    EXPECT_THROW(StudyFolder(folder / "study", false, "another"), support::InputError);
 }
 
 TEST(StudyFolderTest, refusesADescriptionThatItCannotRead) {
     const fixture::TemporaryFolder folder;
     for (const char* text : {"", "{", "[]", "{\"Simulated\": \"yes\"}"}) {
         fixture::write(folder / "dataset_description.json", text);
-        EXPECT_THROW(StudyFolder(folder.path(), true), support::InputError) << text;
-        EXPECT_THROW(StudyFolder(folder.path(), false), support::InputError) << text;
+        EXPECT_THROW(StudyFolder(folder.path(), true, "paper"), support::InputError) << text;
+        EXPECT_THROW(StudyFolder(folder.path(), false, "paper"), support::InputError) << text;
     }
 }
 
 TEST(StudyFolderTest, keepsTheFirstContactSheet) {
     const fixture::TemporaryFolder folder;
-    const StudyFolder study(folder / "study", false);
+    const StudyFolder study(folder / "study", false, "paper");
     study.keep_contact_sheet(folder / "missing.png");
     EXPECT_TRUE(fixture::files_below(folder / "study").empty());
     fixture::write(folder / "one.png", "one");

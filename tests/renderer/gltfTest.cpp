@@ -7,8 +7,10 @@
 #include <functional>
 #include <limits>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include <renderer/scene/gltf.h>
 #include <support/error.h>
@@ -70,9 +72,9 @@ struct Source {
 
 class GltfTest : public testing::Test {
 protected:
-    fs::path folder =
-        fs::temp_directory_path() /
-        (std::string("gltfTest.") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::path folder = fs::temp_directory_path() /
+                      fmt::format("gltfTest.{}.{}",
+                                  testing::UnitTest::GetInstance()->current_test_info()->name(), ::getpid());
     fs::path file = folder / "model.glb";
     void SetUp() override { fs::create_directories(folder); }
     void TearDown() override { fs::remove_all(folder); }
@@ -202,6 +204,16 @@ TEST_F(GltfTest, namesWhatIsWrong) {
              s.json["nodes"][0]["scale"] = {1e300, 1e300, 1e300};
          },
          "found none at"},
+        {[](Source& s) { s.json["nodes"] = Json::parse(R"([{"children": [1, 1]}, {"mesh": 0}, {}])"); },
+         "node 1 with two parents"},
+        {[](Source& s) {
+             s.json["nodes"][0]["scale"] = {0, 0, 0};
+         },
+         "found all of it at one place"},
+        {[](Source& s) {
+             s.json["materials"] = {{{"normalTexture", {{"index", 0}, {"scale", 1e300}}}}};
+         },
+         "scale"},
         {[](Source& s) { s.json["extensionsRequired"] = {"KHR_draco_mesh_compression"}; }, "KHR_draco"},
         {[](Source& s) {
              s.json["images"] = {{{"uri", "nowhere.png"}}};
@@ -236,6 +248,22 @@ TEST_F(GltfTest, refusesEveryTruncation) {
     EXPECT_THROW(scene::load_gltf(folder / "missing.glb"), support::InputError);
     EXPECT_THROW(scene::load_gltf(folder), support::InputError);
     EXPECT_THROW(load("not a model at all"), support::InputError);
+}
+
+// Values nested so deep that walking them recursively would run out of stack.
+TEST_F(GltfTest, refusesDeepNesting) {
+    const std::string text = Source().glb();
+    const std::string deep = std::string(200'000, '[') + std::string(200'000, ']');
+    const std::string json = R"({"asset": {"version": "2.0"}, "extras": )" + deep + "}";
+    EXPECT_THROW(load(json), support::InputError);
+    std::string glb = text.substr(0, 12);
+    const auto append_number = [&](std::size_t n) {
+        const auto word = static_cast<std::uint32_t>(n);
+        glb.append(reinterpret_cast<const char*>(&word), 4);
+    };
+    append_number(json.size());
+    glb += "JSON" + json;
+    EXPECT_THROW(load(glb), support::InputError);
 }
 
 // A byte changed anywhere gives a model or an error, never a crash.

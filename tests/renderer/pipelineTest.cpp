@@ -74,9 +74,9 @@ double half_plane_error(Shader shader, float distance_mm, float tilt_rad) {
 
 } // namespace
 
-// The truth is a sum of error functions. Without scattering the error is 7 %. The published seven-tap weights, 4 % too
-// wide, leave 1 % to ss_full; ts takes the lighting itself for the narrowest Gaussian, which misses its 0.08 mm of
-// blur right at the edge.
+// The truth is a sum of error functions. Without scattering the error is 7 %. The published seven-tap
+// weights, 4 % too wide, leave 1 % to ss_full; ts takes the lighting itself for the narrowest Gaussian, which
+// misses its 0.08 mm of blur right at the edge.
 TEST_F(PipelineTest, gaussianMethodsReachTheClosedFormOnAFacingPlane) {
     EXPECT_GT(half_plane_error(Shader::no_sss, 120, 0), 0.06);
     EXPECT_LT(half_plane_error(Shader::ts, 120, 0), 0.02);
@@ -225,7 +225,6 @@ TEST_F(PipelineTest, rendersTheSameBytesWhateverWasRenderedBefore) {
     const scene::Model model = scenes::sphere(60);
     passes::Look look;
     look.profile = renderer::optics::profile("skin_6g_deon2007");
-    look.bloom_strength = 0.1f;
     passes::Light side = scenes::frontal_light();
     side.direction = {1, 0, 0};
     const scene::Camera camera = scenes::camera(500, 128, 96);
@@ -286,6 +285,19 @@ TEST_F(PipelineTest, bloomKeepsTheTotalLight) {
     EXPECT_NE(frames[0].srgb, frames[1].srgb);
 }
 
+// Light from the camera's own direction: V and L meet, and with rounding their cosine passes 1.
+TEST_F(PipelineTest, everyPixelIsFiniteUnderAFrontalLight) {
+    const scene::Model model = scenes::sphere(80);
+    passes::Look look = scenes::diffuse_look();
+    look.specular_intensity = 0.18f;
+    passes::Pipeline pipeline(model, look, {});
+    const passes::Frame frame =
+        pipeline.render(Shader::no_sss, scenes::camera(250, 640, 480), scenes::frontal_light(), true);
+    for (const float v : frame.linear) {
+        ASSERT_TRUE(std::isfinite(v));
+    }
+}
+
 TEST_F(PipelineTest, saysWhatAModelLacksForTextureSpace) {
     scene::Model bare = scenes::plane(40);
     bare.meshes[0].has_uv = false;
@@ -306,7 +318,10 @@ TEST_F(PipelineTest, refusesMoreThanTheDriverCan) {
     passes::Look look = scenes::diffuse_look();
     look.samples = 64;
     const scene::Model model = scenes::plane(40);
-    EXPECT_THROW(passes::Pipeline(model, look, {}), support::Failure);
+    EXPECT_THROW(passes::Pipeline(model, look, {}), support::InputError);
+    passes::Pipeline pipeline(model, scenes::diffuse_look(), {});
+    EXPECT_THROW(pipeline.prepare(Shader::no_sss, scenes::camera(100, 1 << 20, 16), scenes::frontal_light()),
+                 support::InputError);
 }
 
 TEST_F(PipelineTest, survivesACameraInsideTheModel) {

@@ -59,6 +59,10 @@ refuses 'found "wax"' stimuli small.toml --out out --only shader=wax
 refuses '--shard: expected I/N' stimuli small.toml --out out --shard 3/2
 printf 'glTF\2\0\0\0\377\377\0\0\20\0\0\0JSON{"asset"' >truncated.glb
 refuses "truncated.glb: expected a glTF 2.0 model" stimuli small.toml --out out --model truncated.glb
+sed 's/^samples = 4/samples = 64/' small.toml >samples.toml
+refuses 'samples: expected at most' stimuli samples.toml --out out
+sed 's/^samples = 4/samples = 3/' small.toml >samples.toml
+refuses 'image.samples: expected a power of two' stimuli samples.toml --out out
 touch file
 refuses "file: expected a folder" stimuli small.toml --out file
 refuses "/proc/out: expected a folder" stimuli small.toml --out /proc/out
@@ -72,6 +76,13 @@ refuses "../01" session small.toml --stimuli set --study study --participant ../
 refuses "a/b" session small.toml --stimuli set --study study --participant a/b --simulate null
 refuses "nobody" session small.toml --stimuli set --study study --participant 01 --simulate nobody
 refuses "/proc/study" session small.toml --stimuli set --study /proc/study --participant 01 --simulate null
+mkdir -p deep other
+{ printf '{"images": [{"shader": '; head -c 400000 /dev/zero | tr '\0' '['; } >deep/manifest.json
+refuses "nested" session small.toml --stimuli deep --study study --participant 01 --simulate null
+refuses "nested" stimuli small.toml --out deep
+printf 'name\n' >other/participants.tsv
+refuses 'participants.tsv:1: expected "participant_id"' session small.toml --stimuli set --study other \
+    --participant 01 --simulate null
 
 # Analysis: no study, an empty one, no place for the result.
 refuses "no/study" analyse no/study --out analysis

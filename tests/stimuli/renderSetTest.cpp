@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <fstream>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include <support/error.h>
 #include <support/file.h>
@@ -40,9 +42,9 @@ void write_square(const fs::path& file) {
 /// The paper's study in small pictures of a square, with changes.
 class RenderSetTest : public testing::Test {
 protected:
-    fs::path folder =
-        fs::temp_directory_path() /
-        (std::string("renderSetTest.") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::path folder = fs::temp_directory_path() /
+                      fmt::format("renderSetTest.{}.{}",
+                                  testing::UnitTest::GetInstance()->current_test_info()->name(), ::getpid());
     fs::path protocol_file = folder / "small.toml";
     fs::path out = folder / "out";
 
@@ -74,6 +76,16 @@ protected:
         request.out = out;
         request.only = std::move(only);
         request.shard = shard;
+        request.model_file = folder / "square.gltf";
+        return stimuli::render_set(request);
+    }
+    /// The same with linear images.
+    stimuli::SetReport render_exr() const {
+        stimuli::SetRequest request;
+        request.protocol_file = protocol_file;
+        request.out = out;
+        request.only = {"distance=far", "azimuth=0"};
+        request.exr = true;
         request.model_file = folder / "square.gltf";
         return stimuli::render_set(request);
     }
@@ -170,6 +182,51 @@ TEST_F(RenderSetTest, aBrokenManifestVouchesForNothing) {
     render({"azimuth=0"});
     std::ofstream(out / "manifest.json") << "{\"images\": [{\"file\": 3}, ";
     EXPECT_EQ(rendered(render({"azimuth=0"})).size(), 12u);
+}
+
+TEST_F(RenderSetTest, linearImagesAreNeverOlderThanTheirPictures) {
+    render_exr();
+    const std::string bright = support::sha256_of_file(out / "ts_far_000.exr");
+    EXPECT_TRUE(rendered(render_exr()).empty());
+    change_protocol("irradiance = [3.0, 3.0, 3.0]", "irradiance = [2.0, 2.0, 2.0]");
+    render({"distance=far", "azimuth=0"});
+    EXPECT_FALSE(fs::exists(out / "ts_far_000.exr"));
+    EXPECT_EQ(rendered(render_exr()).size(), 4u);
+    EXPECT_NE(support::sha256_of_file(out / "ts_far_000.exr"), bright);
+}
+
+TEST_F(RenderSetTest, whatTheDriverRefusesLeavesTheSetAsItWas) {
+    render();
+    const auto before = digests();
+    change_protocol("samples = 4", "samples = 64");
+    EXPECT_THROW(render(), support::InputError);
+    EXPECT_EQ(digests(), before);
+    fs::remove_all(out);
+    EXPECT_THROW(render(), support::InputError);
+    EXPECT_FALSE(fs::exists(out));
+}
+
+TEST_F(RenderSetTest, coordinatesWithoutAreaAreRefusedBeforeAnythingIsWritten) {
+    std::fstream buffer(folder / "square.bin", std::ios::in | std::ios::out | std::ios::binary);
+    buffer.seekp(48);
+    buffer.write(std::string(32, '\0').data(), 32); // all texture coordinates at one place
+    buffer.close();
+    EXPECT_THROW(render(), support::InputError);
+    EXPECT_FALSE(fs::exists(out));
+}
+
+TEST_F(RenderSetTest, aMissingFileIsMissingWhateverTheManifestSays) {
+    render();
+    fs::remove(out / "ts_zoom_000.png");
+    EXPECT_EQ(render({"shader=no_sss"}).missing, 1u);
+}
+
+TEST_F(RenderSetTest, theContactSheetFollowsTheOrderOfTheShaders) {
+    render();
+    const std::string before = support::sha256_of_file(out / "contact_sheet.png");
+    change_protocol(R"(shaders = ["no_sss", "ts",)", R"(shaders = ["ts", "no_sss",)");
+    EXPECT_TRUE(rendered(render()).empty());
+    EXPECT_NE(support::sha256_of_file(out / "contact_sheet.png"), before);
 }
 
 TEST_F(RenderSetTest, wrongInputLeavesNothingBehind) {

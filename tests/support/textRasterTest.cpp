@@ -35,6 +35,17 @@ TEST(TextRasterTest, drawsLettersBeyondAscii) {
     }
 }
 
+TEST(TextRasterTest, cutsNoLetterOff) {
+    for (const int size_px : {9, 13, 16, 21, 33}) {
+        const support::TextRaster raster = support::text_raster("gjpqyÅÜç(|", size_px);
+        for (int x = 0; x < raster.width; ++x) {
+            EXPECT_EQ(raster.coverage[static_cast<std::size_t>(x)], 0) << size_px;
+            EXPECT_EQ(raster.coverage[raster.coverage.size() - 1 - static_cast<std::size_t>(x)], 0)
+                << size_px;
+        }
+    }
+}
+
 TEST(TextRasterTest, showsBytesThatAreNotUtf8AsReplacements) {
     EXPECT_EQ(support::text_width("\xff", 32), support::text_width("\xef\xbf\xbd", 32));
     EXPECT_EQ(support::text_width("\xc3", 32), support::text_width("\xef\xbf\xbd", 32)); // cut off

@@ -15,6 +15,7 @@
 
 #include <support/error.h>
 #include <support/file.h>
+#include <support/json_depth.h>
 
 #include "durable_file.h"
 
@@ -75,7 +76,7 @@ bool holds_data(const fs::path& folder) {
     return false;
 }
 
-ordered_json description(const std::string& title, bool simulated) {
+ordered_json description(const std::string& title, const std::string& protocol, bool simulated) {
     ordered_json generator{{"Name", "skin2afc"}, {"Version", SKIN2AFC_VERSION}};
     if (simulated) {
         generator["Description"] = "Simulated participants; no person took part";
@@ -84,6 +85,7 @@ ordered_json description(const std::string& title, bool simulated) {
             {"BIDSVersion", bids_version},
             {"DatasetType", "raw"},
             {"GeneratedBy", ordered_json::array({generator})},
+            {"Protocol", protocol},
             {"Simulated", simulated}};
 }
 
@@ -106,9 +108,23 @@ void check_label(const std::string& label) {
     }
 }
 
-StudyFolder::StudyFolder(fs::path folder, bool simulated)
-    : folder_(std::move(folder)), simulated_(simulated) {
+StudyFolder::StudyFolder(fs::path folder, bool simulated, std::string protocol)
+    : folder_(std::move(folder)), simulated_(simulated), protocol_(std::move(protocol)) {
     check_kind();
+    check_participants();
+}
+
+/// Refuse a table of participants that another program keeps in another form.
+void StudyFolder::check_participants() const {
+    const fs::path path = folder_ / "participants.tsv";
+    if (!fs::exists(path)) {
+        return;
+    }
+    const auto lines = lines_of(support::read_text(path));
+    if (!lines.empty() && first_column(lines.front()) != "participant_id") {
+        throw input_error("{}:1: expected \"participant_id\" as the first column, found \"{}\"",
+                          path.string(), support::one_line(first_column(lines.front())).substr(0, 60));
+    }
 }
 
 /// Keep simulated participants and people apart.
@@ -116,7 +132,9 @@ void StudyFolder::check_kind() const {
     const fs::path path = folder_ / "dataset_description.json";
     bool holds_simulated = false;
     if (fs::exists(path)) {
-        const auto content = nlohmann::json::parse(support::read_text(path), nullptr, false);
+        const std::string text = support::read_text(path);
+        support::check_json_depth(text, path.string());
+        const auto content = nlohmann::json::parse(text, nullptr, false);
         if (!content.is_object()) {
             throw input_error("{}: expected a JSON object, found something else or a truncated file",
                               path.string());
@@ -127,6 +145,12 @@ void StudyFolder::check_kind() const {
                               field->type_name());
         }
         holds_simulated = field != content.end() && field->get<bool>();
+        const auto held = content.find("Protocol");
+        if (held != content.end() && held->is_string() && held->get<std::string>() != protocol_) {
+            throw input_error(
+                "{}: expected a study of the protocol {}, found one of {}; give --study another folder",
+                folder_.string(), protocol_, support::one_line(held->get<std::string>()));
+        }
     } else if (!holds_data(folder_)) {
         return;
     }
@@ -142,7 +166,8 @@ void StudyFolder::prepare(const std::string& title, const std::string& label) co
     support::make_writable_folder(folder_);
     const LockedFile participants(folder_ / "participants.tsv");
     check_kind();
-    write_if_absent(folder_ / "dataset_description.json", description(title, simulated_));
+    check_participants();
+    write_if_absent(folder_ / "dataset_description.json", description(title, protocol_, simulated_));
     write_if_absent(folder_ / "participants.json",
                     {{"participant_id", {{"Description", "One participant, named by the experimenter"}}}});
     note_participant(participants.fd(), label);
@@ -154,10 +179,6 @@ void StudyFolder::note_participant(int fd, const std::string& label) const {
     const fs::path path = folder_ / "participants.tsv";
     const std::string text = support::read_text(path);
     const auto lines = lines_of(text);
-    if (!lines.empty() && first_column(lines.front()) != "participant_id") {
-        throw input_error("{}:1: expected \"participant_id\" as the first column, found \"{}\"",
-                          path.string(), support::one_line(first_column(lines.front())).substr(0, 60));
-    }
     const std::string id = "sub-" + label;
     if (std::any_of(lines.begin(), lines.end(), [&](const auto& line) { return first_column(line) == id; })) {
         return;

@@ -17,8 +17,8 @@ void check_label(const std::string& label);
 class StudyFolder {
 public:
     /// Look, and write nothing. Throws support::InputError where the folder holds real data and the session
-    /// is simulated, or the other way round.
-    StudyFolder(fs::path folder, bool simulated);
+    /// is simulated, or the other way round, and where it holds sessions of a protocol of another name.
+    StudyFolder(fs::path folder, bool simulated, std::string protocol);
 
     const fs::path& folder() const { return folder_; }
     /// Make the folder and what belongs to all its participants, as far as it is not there yet, and note the
@@ -30,10 +30,12 @@ public:
 
 private:
     void check_kind() const;
+    void check_participants() const;
     void note_participant(int fd, const std::string& label) const;
 
     fs::path folder_;
     bool simulated_;
+    std::string protocol_;
 };
 
 } // namespace experiment

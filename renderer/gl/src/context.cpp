@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include <dlfcn.h>
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
@@ -54,8 +55,9 @@ std::vector<Candidate> candidates() {
     std::vector<Candidate> found;
     const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     if (has_extension(client, "EGL_EXT_platform_device") &&
-        (has_extension(client, "EGL_EXT_device_enumeration") ||
-         has_extension(client, "EGL_EXT_device_base"))) {
+        (has_extension(client, "EGL_EXT_device_base") ||
+         (has_extension(client, "EGL_EXT_device_enumeration") &&
+          has_extension(client, "EGL_EXT_device_query")))) {
         EGLDeviceEXT devices[16];
         EGLint count = 0;
         if (eglQueryDevicesEXT(16, devices, &count) == EGL_TRUE) {
@@ -115,6 +117,10 @@ Context& Context::operator=(Context&&) noexcept = default;
 Context::~Context() = default;
 
 Context Context::headless() {
+    // epoxy ends the program where the library is missing, so ask for it first; it stays loaded.
+    if (!dlopen("libEGL.so.1", RTLD_LAZY)) {
+        throw support::failure("OpenGL 4.5 core through EGL is needed; found no EGL library: {}", dlerror());
+    }
     std::string tried;
     for (const Candidate& candidate : candidates()) {
         auto egl = std::make_unique<Egl>();

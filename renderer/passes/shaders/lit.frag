@@ -23,7 +23,7 @@ float kelemen_szirmay_kalos(vec3 N, vec3 L, vec3 V, float m) {
     float NoH = max(dot(N, H), 1e-3);
     float c2 = NoH * NoH;
     float beckmann = exp(-(1.0 - c2) / (c2 * m * m)) / (m * m * c2 * c2);
-    float fresnel = fresnel_f0 + (1.0 - fresnel_f0) * pow(1.0 - max(dot(V, H), 0.0), 5.0);
+    float fresnel = fresnel_f0 + (1.0 - fresnel_f0) * pow(clamp(1.0 - dot(V, H), 0.0, 1.0), 5.0);
     return max(dot(N, L), 0.0) * beckmann * fresnel / max(hh, 1e-8);
 }
 

@@ -21,8 +21,11 @@ void main() {
     ivec2 size = textureSize(color_map, 0);
     ivec2 pixel = ivec2(gl_FragCoord.x, size.y - 1 - int(gl_FragCoord.y));
     vec4 color = texelFetch(color_map, pixel, 0);
-    vec3 bloom = texture(bloom_map, (vec2(pixel) + 0.5) / vec2(size)).rgb;
-    vec3 light = exposure * mix(color.rgb, bloom, bloom_strength);
+    vec3 light = color.rgb;
+    if (bloom_strength > 0.0) { // else nothing was drawn into the map
+        light = mix(light, texture(bloom_map, (vec2(pixel) + 0.5) / vec2(size)).rgb, bloom_strength);
+    }
+    light *= exposure;
     srgb = vec4(encoded(light), 1.0);
     linear = vec4(light, color.a);
 }

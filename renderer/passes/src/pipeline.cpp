@@ -36,8 +36,8 @@ int driver_limit(GLenum name) {
 void require_limit(const char* what, int wanted, GLenum name) {
     const int limit = driver_limit(name);
     if (wanted > limit) {
-        throw support::failure("{}: this OpenGL driver allows at most {}, the protocol asks for {}", what,
-                               limit, wanted);
+        throw support::input_error("{}: expected at most {}, which this OpenGL driver allows, found {}", what,
+                                   limit, wanted);
     }
 }
 
@@ -138,6 +138,17 @@ struct Pipeline::State {
         }
     }
 
+    /// Make the maps of texture space, once.
+    void unwrap(const scene::Camera& camera) {
+        if (!texture_space) {
+            timed("ts unwrapping", [&] {
+                texture_space = std::make_unique<TextureSpace>(source, model, look.profile, methods,
+                                                               camera.width, camera.height, look.samples);
+            });
+            warnings = texture_space->warnings();
+        }
+    }
+
     const gl::Texture& scattered(Shader shader, const scene::Camera& camera, const Light& light) {
         const LitFrame& frame = lit->frame();
         const gl::Texture* result = &frame.diffuse;
@@ -154,13 +165,7 @@ struct Pipeline::State {
                 timed("ss_jittered", [&] { result = &screen_space->jittered(frame, camera); });
             }
         } else if (shader == Shader::ts) {
-            if (!texture_space) {
-                timed("ts unwrapping", [&] {
-                    texture_space = std::make_unique<TextureSpace>(source, model, look.profile, methods,
-                                                                   camera.width, camera.height, look.samples);
-                });
-                warnings = texture_space->warnings();
-            }
+            unwrap(camera);
             if (irradiance_light != light) {
                 timed("ts irradiance and blurs",
                       [&] { texture_space->light(model, surface_look, light, shadow); });
@@ -184,11 +189,18 @@ Pipeline::Pipeline(const scene::Model& model, const Look& look, const Methods& m
 
 Pipeline::~Pipeline() = default;
 
+void Pipeline::prepare(Shader shader, const scene::Camera& camera, const Light& light) {
+    require_limit("shadow map size", light.shadow_map_size, GL_MAX_TEXTURE_SIZE);
+    state_->prepare_size(camera.width, camera.height);
+    if (shader == Shader::ts) {
+        state_->unwrap(camera);
+    }
+}
+
 Frame Pipeline::render(Shader shader, const scene::Camera& camera, const Light& light, bool with_linear) {
     state_->run.clear();
     state_->reused.clear();
-    require_limit("shadow map size", light.shadow_map_size, GL_MAX_TEXTURE_SIZE);
-    state_->prepare_size(camera.width, camera.height);
+    prepare(shader, camera, light);
     state_->light_view(camera, light);
     const gl::Texture& scattered = state_->scattered(shader, camera, light);
     Frame frame;

@@ -3,8 +3,12 @@
 
 #include <renderer/scene/gltf.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <map>
 #include <set>
+#include <string_view>
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -13,6 +17,7 @@
 #include <renderer/scene/image_file.h>
 #include <support/error.h>
 #include <support/file.h>
+#include <support/json_depth.h>
 
 #include "gltf_accessor.h"
 
@@ -23,6 +28,7 @@ namespace fs = std::filesystem;
 
 // Deeper trees of nodes are taken for an attack; real models have a few levels.
 constexpr int deepest_node = 128;
+constexpr double largest_normal_scale = 100;
 
 /// Keep an image file's encoded bytes; those inside buffer views are fetched later, with their bounds
 /// checked.
@@ -44,6 +50,15 @@ tinygltf::Model parse(const fs::path& file) {
     const std::string folder = file.has_parent_path() ? file.parent_path().string() : ".";
     const bool binary =
         bytes.size() >= 4 && bytes[0] == 'g' && bytes[1] == 'l' && bytes[2] == 'T' && bytes[3] == 'F';
+    // A binary file holds its JSON after a header of 12 and a chunk header of 8 bytes; what follows it is no
+    // text.
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    std::uint32_t json_size = 0;
+    if (binary && bytes.size() >= 20) {
+        std::memcpy(&json_size, &bytes[12], sizeof json_size);
+    }
+    support::check_json_depth(binary ? text.substr(std::min<std::size_t>(20, text.size()), json_size) : text,
+                              file.string());
     bool ok = false;
     try {
         const auto size = static_cast<unsigned int>(bytes.size());
@@ -78,6 +93,11 @@ public:
         }
         if (result_.meshes.empty()) {
             throw support::input_error("{}: expected triangles in the default scene, found none",
+                                       file_.string());
+        }
+        const Bounds extent = bounds(result_);
+        if (!(glm::length(extent.high - extent.low) > 1e-3f)) { // millimetres
+            throw support::input_error("{}: expected a model of some extent, found all of it at one place",
                                        file_.string());
         }
         result_.digest = content_digest(result_);
@@ -132,9 +152,9 @@ private:
             throw support::input_error("{}: nodes: expected a tree of {} nodes, found node {} at depth {}",
                                        file_.string(), source_.nodes.size(), index, depth);
         }
-        if (++visits_ > source_.nodes.size()) {
-            throw support::input_error("{}: nodes: expected each node once, found a node with two parents",
-                                       file_.string());
+        if (!visited_.insert(index).second) {
+            throw support::input_error("{}: nodes: expected each node once, found node {} with two parents",
+                                       file_.string(), index);
         }
         const tinygltf::Node& node = source_.nodes[static_cast<std::size_t>(index)];
         const glm::dmat4 transform = parent * local_transform(node);
@@ -372,6 +392,12 @@ private:
                                        "supported)",
                                        file_.string(), what);
         }
+        if (!(std::abs(source.normalTexture.scale) <= largest_normal_scale)) {
+            throw support::input_error("{}: {}.normalTexture.scale: expected -{} to {}, found {}",
+                                       file_.string(), what, largest_normal_scale, largest_normal_scale,
+                                       source.normalTexture.scale);
+        }
+        material.normal_scale = static_cast<float>(source.normalTexture.scale);
         if (!overrides_.base_color) {
             material.base_color = texture(pbr.baseColorTexture.index, what + ".baseColorTexture");
         }
@@ -392,7 +418,6 @@ private:
                 material.base_color_factor[c] = static_cast<float>(factor);
             }
         }
-        material.normal_scale = static_cast<float>(source.normalTexture.scale);
         // A file without any word on roughness leaves it to the protocol; tinygltf fills in 1.
         if (material.roughness || pbr.roughnessFactor != 1.0) {
             if (!(pbr.roughnessFactor >= 0 && pbr.roughnessFactor <= 1)) {
@@ -410,7 +435,7 @@ private:
     AccessorReader reader_;
     std::map<int, ImagePtr> images_;
     Model result_;
-    std::size_t visits_ = 0;
+    std::set<int> visited_;
 };
 
 } // namespace

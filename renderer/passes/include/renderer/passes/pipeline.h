@@ -90,13 +90,18 @@ std::string shader_code_digest();
 /// several threads.
 class Pipeline {
 public:
-    /// Throws support::Failure if the driver lacks the memory, samples or texture sizes asked for.
+    /// Throws support::InputError if the look or the methods ask for more than the driver allows,
+    /// support::Failure if it lacks the memory.
     Pipeline(const scene::Model& model, const Look& look, const Methods& methods);
     ~Pipeline();
     Pipeline(const Pipeline&) = delete;
     Pipeline& operator=(const Pipeline&) = delete;
 
-    /// Throws support::InputError if the shader is `ts` and the model has no texture coordinates.
+    /// Make what render() will need. Throws support::InputError for sizes that the driver does not allow and,
+    /// if the shader is `ts`, for a model without usable texture coordinates: then nothing has been rendered.
+    void prepare(Shader shader, const scene::Camera& camera, const Light& light);
+
+    /// Errors as prepare().
     Frame render(Shader shader, const scene::Camera& camera, const Light& light, bool with_linear = false);
 
     const Costs& costs() const;
