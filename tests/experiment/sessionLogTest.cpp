@@ -148,12 +148,14 @@ TEST(SessionLogTest, losesNoAnswerThatWasFollowedByAPictureWhenKilled) {
             EXPECT_EQ(reported, 0U);
             continue;
         }
-        // A log is never without header. Every row is whole, and at most the one is new that was saved but
-        // not reported.
+        // A log is never without header. Every row that was reported is whole; at most one more is there,
+        // which was saved but not reported, or torn: a kill can end a write between two pages of memory.
         const std::string text = fixture::read(path);
         EXPECT_EQ(text.substr(0, text.find('\n')), columns);
-        EXPECT_EQ(text.back(), '\n');
-        const auto rows = fixture::read_log(path);
+        auto rows = fixture::read_log(path);
+        if (text.back() != '\n') {
+            rows.pop_back();
+        }
         EXPECT_GE(rows.size(), reported);
         EXPECT_LE(rows.size(), reported + 1);
         for (std::size_t i = 0; i < rows.size(); ++i) {
