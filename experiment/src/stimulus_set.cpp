@@ -67,7 +67,10 @@ public:
     /// The digest of the protocol in a manifest that read() has accepted.
     static std::string protocol_digest(const std::string& text) {
         const json root = json::parse(text, nullptr, false);
-        const json digest = root.value(json::json_pointer("/protocol/digest"), json());
+        if (!root.contains("protocol") || !root["protocol"].is_object()) {
+            return {};
+        }
+        const json digest = root["protocol"].value("digest", json());
         return digest.is_string() ? digest.get<std::string>() : std::string();
     }
 

@@ -65,7 +65,8 @@ std::map<std::string, Json> Manifest::entries() const {
         for (const Json& entry : json["images"]) {
             const bool whole = entry.is_object() && entry.contains("file") && entry["file"].is_string() &&
                                entry.contains("sha256") && entry["sha256"].is_string() &&
-                               entry.contains("recipe") && entry["recipe"].is_string();
+                               entry.contains("recipe") && entry["recipe"].is_string() &&
+                               entry.contains("parameters") && entry["parameters"].is_object();
             if (whole) {
                 result[entry_name(entry)] = entry;
             }

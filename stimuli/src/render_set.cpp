@@ -88,7 +88,6 @@ public:
                 scene::refine(mesh, static_cast<float>(protocol_.model.longest_edge_mm));
             }
         });
-        check_model();
         timed("making a context", [&] { context_.emplace(renderer::gl::Context::headless()); });
         report_.driver = renderer::gl::driver_info().renderer;
         report_.model = model_.name;
@@ -116,20 +115,6 @@ private:
         ++report_.costs[what].runs;
     }
 
-    /// Refuse what the renderer would trip over, before anything is written.
-    void check_model() const {
-        const bool wants_ts =
-            std::find(protocol_.shaders.begin(), protocol_.shaders.end(), "ts") != protocol_.shaders.end();
-        for (const scene::Mesh& mesh : model_.meshes) {
-            if (wants_ts && !mesh.has_uv) {
-                throw support::input_error(
-                    "{}: expected texture coordinates (TEXCOORD_0) for the shader ts, found a "
-                    "mesh without",
-                    model_.name);
-            }
-        }
-    }
-
     Json header() const {
         return {{"program", "skin2afc"},
                 {"protocol", {{"name", protocol_.name}, {"digest", protocol_.digest}}},
@@ -142,8 +127,8 @@ private:
     void check_folder(const Manifest& manifest) const {
         const bool part = !request_.only.empty() || !request_.shard.empty();
         for (const auto& [name, entry] : manifest.entries()) {
-            const bool same =
-                entry.contains("parameters") && entry["parameters"].value("model", "") == model_.digest;
+            const Json& parameters = entry["parameters"];
+            const bool same = parameters.contains("model") && parameters["model"] == model_.digest;
             if (part && !same && !request_.force) {
                 throw support::input_error(
                     "{}: expected images of the model {}, found {} of another model; give --model, "
@@ -158,7 +143,6 @@ private:
         const scene::HeadFrame head = head_frame(protocol_, model_);
         items_ = design(protocol_);
         const auto entries = manifest.entries();
-
         for (const Item& item : items_) {
             recipes_.push_back(recipe(item, protocol_, model_, head, report_.driver));
             recipe_digests_[item.name()] = recipes_.back().digest;
@@ -211,8 +195,8 @@ private:
     static std::string changed_parameters(const Json& entry, const Recipe& recipe) {
         std::string names;
         for (const auto& [key, value] : recipe.parameters.items()) {
-            const bool same = entry.contains("parameters") && entry["parameters"].contains(key) &&
-                              entry["parameters"][key] == value;
+            const Json& before = entry["parameters"];
+            const bool same = before.contains(key) && before[key] == value;
             if (!same) {
                 names += (names.empty() ? "" : ", ") + key;
             }
@@ -231,7 +215,6 @@ private:
             return;
         }
         progress_.emplace("rendering", count);
-
         for (std::size_t i = 0; i < items_.size(); ++i) {
             Outcome& outcome = report_.outcomes[i];
             if (!to_render(outcome)) {

@@ -58,6 +58,17 @@ TEST_F(StimulusSetTest, findsThePictureOfEachStimulus) {
     EXPECT_EQ(open().files().size(), 2U);
 }
 
+TEST_F(StimulusSetTest, readsTheProtocolsDigestWhereTheManifestHasOne) {
+    json changed = manifest_;
+    for (const json& protocol :
+         {json({{"digest", "abc"}}), json::array({1}), json("text"), json({{"digest", 3}})}) {
+        changed["protocol"] = protocol;
+        fixture::write(set_ / "manifest.json", changed.dump());
+        const bool has_digest = protocol.is_object() && protocol["digest"].is_string();
+        EXPECT_EQ(open().protocol_digest(), has_digest ? "abc" : "") << protocol;
+    }
+}
+
 TEST_F(StimulusSetTest, refusesAFolderWithoutManifest) {
     std::filesystem::remove(set_ / "manifest.json");
     EXPECT_TRUE(contains(error(), "manifest.json: no such file"));

@@ -184,6 +184,28 @@ TEST_F(RenderSetTest, aBrokenManifestVouchesForNothing) {
     EXPECT_EQ(rendered(render({"azimuth=0"})).size(), 12u);
 }
 
+TEST_F(RenderSetTest, aPartOfAnotherModelIsNotMixedIn) {
+    render();
+    const auto before = digests();
+    std::fstream buffer(folder / "square.bin", std::ios::in | std::ios::out | std::ios::binary);
+    const float wider = -.12f;
+    buffer.write(reinterpret_cast<const char*>(&wider), sizeof wider);
+    buffer.close();
+    EXPECT_THROW(render({"shader=ts"}), support::InputError);
+    EXPECT_EQ(digests(), before);
+    EXPECT_EQ(rendered(render()).size(), 48u);
+}
+
+TEST_F(RenderSetTest, entriesOfAnotherShapeVouchForNothing) {
+    render({"azimuth=0"});
+    json changed = manifest();
+    for (json& image : changed["images"]) {
+        image["parameters"] = 3;
+    }
+    std::ofstream(out / "manifest.json") << changed;
+    EXPECT_EQ(rendered(render({"azimuth=0"})).size(), 12u);
+}
+
 TEST_F(RenderSetTest, linearImagesAreNeverOlderThanTheirPictures) {
     render_exr();
     const std::string bright = support::sha256_of_file(out / "ts_far_000.exr");

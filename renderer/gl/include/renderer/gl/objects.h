@@ -123,7 +123,6 @@ public:
     void set(const char* name, const glm::ivec2& value) const;
     void set(const char* name, const glm::vec2& value) const;
     void set(const char* name, const glm::vec3& value) const;
-    void set(const char* name, const glm::vec4& value) const;
     void set(const char* name, const glm::mat4& value) const;
     void set(const char* name, const std::vector<float>& values) const;
     void set(const char* name, const std::vector<glm::vec2>& values) const;
