@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <experiment/command.h>
+#include <measure/command.h>
 #include <stats/command.h>
 #include <stimuli/command.h>
 #include <support/error.h>
@@ -49,6 +50,7 @@ int main(int argc, char** argv) {
     stimuli::add_command(app);
     experiment::add_command(app);
     stats::add_command(app);
+    measure::add_command(app);
     try {
         app.parse(argc, argv);
         return 0;

@@ -32,6 +32,7 @@ SHADERS
   ts           texture space (d'Eon and Luebke 2007): six Gaussians over an irradiance map
   ss_jittered  screen space, Hable's 13 jittered taps
   ss_full      screen space, six Gaussians (Jimenez, Sundstedt and Gutierrez 2009)
+  reference    the ground truth, on the CPU: shadows by rays, scattering as a sum over the whole surface
 
 EXAMPLES
   skin2afc stimuli protocols/jimenez2009.toml --out out/stimuli

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -17,19 +18,12 @@ namespace stimuli {
 
 /// What the renderer needs for one image, and the same as plain data.
 struct Recipe {
-    renderer::passes::Shader shader = renderer::passes::Shader::no_sss;
+    std::optional<renderer::passes::Shader> shader; ///< nothing: the reference
     renderer::scene::Camera camera;
     renderer::passes::Light light;
     nlohmann::ordered_json parameters; ///< every parameter the image depends on, for the manifest
     std::string digest; ///< SHA-256 of the parameters: the image is up to date while it is the same
 };
-
-/// From a protocol to the renderer's look and methods, the same for all images of a set.
-renderer::passes::Look look(const study::Protocol& protocol);
-renderer::passes::Methods methods(const study::Protocol& protocol);
-
-/// The head in the model: by the protocol's word, else the model's top 232 mm.
-renderer::scene::HeadFrame head_frame(const study::Protocol& protocol, const renderer::scene::Model& model);
 
 /// The recipe of one image. `driver` names the OpenGL renderer, on which the last bits of an image depend.
 Recipe recipe(const Item& item, const study::Protocol& protocol, const renderer::scene::Model& model,

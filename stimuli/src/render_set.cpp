@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 
 #include <renderer/gl/context.h>
-#include <renderer/scene/gltf.h>
-#include <stimuli/head.h>
+#include <renderer/reference/reference.h>
+#include <stimuli/setup.h>
 #include <support/error.h>
 #include <support/file.h>
 #include <support/progress.h>
@@ -39,28 +39,6 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-scene::Model load_model(const study::Protocol& protocol, const std::optional<fs::path>& file) {
-    const study::ModelSettings& settings = protocol.model;
-    fs::path path;
-    if (file) {
-        path = *file;
-    } else if (settings.file) {
-        path = protocol.file.parent_path() / *settings.file;
-    } else {
-        return builtin_head();
-    }
-    scene::ModelOverrides overrides;
-    const auto beside = [&](const std::optional<fs::path>& texture) -> std::optional<fs::path> {
-        return texture ? std::optional<fs::path>(path.parent_path() / *texture) : std::nullopt;
-    };
-    overrides.base_color = beside(settings.base_color);
-    overrides.normal = beside(settings.normal);
-    overrides.roughness = beside(settings.roughness);
-    overrides.metres_per_unit = settings.metres_per_unit;
-    overrides.flip_v = settings.flip_v;
-    return scene::load_gltf(path, overrides);
-}
-
 /// The files of one image.
 struct Files {
     std::string png_digest, exr_digest; ///< SHA-256; empty if not written
@@ -82,12 +60,7 @@ public:
 
     SetReport run() {
         const auto start = Clock::now();
-        timed("loading the model", [&] {
-            model_ = load_model(protocol_, request_.model_file);
-            for (scene::Mesh& mesh : model_.meshes) {
-                scene::refine(mesh, static_cast<float>(protocol_.model.longest_edge_mm));
-            }
-        });
+        timed("loading the model", [&] { model_ = load_model(protocol_, request_.model_file); });
         timed("making a context", [&] { context_.emplace(renderer::gl::Context::headless()); });
         report_.driver = renderer::gl::driver_info().renderer;
         report_.model = model_.name;
@@ -154,11 +127,18 @@ private:
     /// Meet all that the renderer could refuse, before anything is written.
     void prepare() {
         for (std::size_t i = 0; i < items_.size(); ++i) {
-            if (to_render(report_.outcomes[i])) {
+            if (!to_render(report_.outcomes[i])) {
+                continue;
+            }
+            if (!recipes_[i].shader) {
+                if (!reference_) {
+                    reference_.emplace(model_, reference_look(protocol_), reference_settings(protocol_));
+                }
+            } else {
                 if (!pipeline_) {
                     pipeline_.emplace(model_, look(protocol_), methods(protocol_));
                 }
-                pipeline_->prepare(recipes_[i].shader, recipes_[i].camera, recipes_[i].light);
+                pipeline_->prepare(*recipes_[i].shader, recipes_[i].camera, recipes_[i].light);
             }
         }
     }
@@ -222,7 +202,9 @@ private:
             }
             const auto start = Clock::now();
             const Recipe& recipe = recipes_[i];
-            passes::Frame frame = pipeline_->render(recipe.shader, recipe.camera, recipe.light, request_.exr);
+            scene::Frame frame =
+                recipe.shader ? pipeline_->render(*recipe.shader, recipe.camera, recipe.light, request_.exr)
+                              : reference_->render(recipe.camera, recipe.light, request_.exr);
             outcome.rendered = true;
             outcome.milliseconds = 1000 * seconds_since(start);
             outcome.passes_run = frame.passes_run;
@@ -231,15 +213,22 @@ private:
             drain(manifest, longest_queue);
         }
         timed("waiting for files", [&] { drain(manifest, 0); });
-        for (const auto& [node, cost] : pipeline_->costs()) {
-            report_.costs[node] = cost;
+        if (pipeline_) {
+            for (const auto& [node, cost] : pipeline_->costs()) {
+                report_.costs[node] = cost;
+            }
+            report_.warnings = pipeline_->warnings();
         }
-        report_.warnings = pipeline_->warnings();
+        if (reference_) {
+            for (const auto& [stage, seconds] : reference_->seconds()) {
+                report_.costs["reference: " + stage] = {seconds, 1};
+            }
+        }
         progress_.reset();
     }
 
     /// Write the image's files on another thread while the next image is rendered.
-    void encode(std::size_t i, passes::Frame frame) {
+    void encode(std::size_t i, scene::Frame frame) {
         const std::string stem = (request_.out / items_[i].name()).string();
         queue_.push_back(
             {i, std::async(std::launch::async, [stem, exr = request_.exr, frame = std::move(frame)] {
@@ -318,6 +307,7 @@ private:
     std::vector<Recipe> recipes_; // as items_
     std::map<std::string, std::string> recipe_digests_;
     std::optional<passes::Pipeline> pipeline_;
+    std::optional<renderer::reference::Reference> reference_;
     std::deque<Encoding> queue_;
     std::optional<support::Progress> progress_;
     SetReport report_;

@@ -18,7 +18,8 @@ namespace {
 using support::TomlTable;
 
 // The shaders this program has; a protocol may name no other.
-constexpr std::array<std::string_view, 4> known_shaders{"no_sss", "ts", "ss_jittered", "ss_full"};
+constexpr std::array<std::string_view, 5> known_shaders{"no_sss", "ts", "ss_jittered", "ss_full",
+                                                        "reference"};
 
 // Bounds that keep one image inside a GPU's texture limits and a test machine's memory.
 constexpr int largest_side = 16384;
@@ -101,7 +102,7 @@ LightSettings read_light(TomlTable table) {
     light.irradiance = rgb(table, "irradiance", 1e6, {3, 3, 3});
     light.ambient = rgb(table, "ambient", 1e6, light.ambient);
     light.shadow_map_size = table.integer("shadow_map_size", 16, largest_side, light.shadow_map_size);
-    light.shadow_softness_mm = table.number("shadow_softness_mm", 0, 100, 1.0);
+    light.shadow_softness_mm = table.number("shadow_softness_mm", 0, 100, 0.1);
     return light;
 }
 
@@ -127,6 +128,69 @@ StretchSettings read_stretch(TomlTable& table) {
     return stretch;
 }
 
+bool read_foreshortening(TomlTable& table, const std::string& fallback) {
+    return table.word("foreshortening", {"exact", "published"}, fallback) == "exact";
+}
+
+JitteredSettings read_jittered(TomlTable table) {
+    JitteredSettings jittered;
+    jittered.taps = table.integer("taps", 13, 49, jittered.taps);
+    if (jittered.taps != 13 && jittered.taps != 25 && jittered.taps != 49) {
+        throw table.error("taps", fmt::format("expected 13, 25 or 49, found {}", jittered.taps));
+    }
+    jittered.unit_mm = table.number("unit_mm", 1e-6, 1000, 0.527);
+    jittered.exact_foreshortening = read_foreshortening(table, "exact");
+    jittered.stretch = read_stretch(table);
+    return jittered;
+}
+
+FullSettings read_full(TomlTable table) {
+    FullSettings full;
+    // The form sets what the other fields are where they are absent.
+    const bool published = table.word("form", {"improved", "published"}, "improved") == "published";
+    full.taps = table.integer("taps", 7, 25, full.taps);
+    if (full.taps % 2 == 0) {
+        throw table.error("taps", fmt::format("expected an odd number, found {}", full.taps));
+    }
+    full.published_taps = table.boolean("published_taps", published);
+    if (full.published_taps && full.taps != 7) {
+        throw table.error("taps", fmt::format("expected 7, as published, found {}", full.taps));
+    }
+    full.exact_foreshortening = read_foreshortening(table, published ? "published" : "exact");
+    full.reject_gaps = table.boolean("reject_gaps", !published);
+    full.target_bits = table.integer("target_bits", 0, 32, full.target_bits);
+    if (full.target_bits != 0 && full.target_bits != 8 && full.target_bits != 16 && full.target_bits != 32) {
+        throw table.error("target_bits", fmt::format("expected 0, 8, 16 or 32, found {}", full.target_bits));
+    }
+    full.half_resolution = table.boolean("half_resolution", full.half_resolution);
+    full.stretch = read_stretch(table);
+    return full;
+}
+
+ReferenceSettings read_reference(TomlTable table) {
+    ReferenceSettings reference;
+    reference.samples_per_side = table.integer("samples_per_side", 1, 64, reference.samples_per_side);
+    reference.cells_per_sigma = table.number("cells_per_sigma", 0.25, 8, reference.cells_per_sigma);
+    if (table.has("profile")) {
+        reference.profile =
+            table.word("profile", {"skin_6g_deon2007", "skin_4g_jimenez2010", "marble_4g_jimenez2010",
+                                   "dipole_skin1", "dipole_skin2", "dipole_marble", "dipole_ketchup",
+                                   "dipole_skimmilk", "dipole_wholemilk", "dipole_cream", "burley"});
+    }
+    const bool burley = reference.profile == "burley";
+    const auto three = [&](std::string_view key, double least, double most) -> Rgb {
+        const auto v = table.numbers(key, 3, least, most);
+        return {v[0], v[1], v[2]};
+    };
+    if (burley || table.has("burley_albedo")) {
+        reference.burley_albedo = three("burley_albedo", 1e-3, 1);
+    }
+    if (burley || table.has("burley_mean_free_path_mm")) {
+        reference.burley_mean_free_path_mm = three("burley_mean_free_path_mm", 1e-6, 1e3);
+    }
+    return reference;
+}
+
 ModelSettings read_model(TomlTable table) {
     ModelSettings model;
     const auto path = [&](std::string_view key) -> std::optional<fs::path> {
@@ -145,6 +209,11 @@ ModelSettings read_model(TomlTable table) {
         model.head_centre_mm = {v[0], v[1], v[2]};
     }
     return model;
+}
+
+DisplaySettings read_display(TomlTable table) {
+    return {table.number("width_mm", 1, 1e6), static_cast<double>(table.integer("width_px", 1, 1000000)),
+            table.number("distance_mm", 1, 1e6)};
 }
 
 SessionSettings read_session(TomlTable table, const Protocol& protocol) {
@@ -217,15 +286,14 @@ Protocol read_protocol(const fs::path& file) {
     protocol.ts.map_size = ts.integer("map_size", 16, largest_side, protocol.ts.map_size);
     protocol.ts.unblurred_first = ts.boolean("unblurred_first", protocol.ts.unblurred_first);
 
-    TomlTable jittered = root.table("ss_jittered");
-    protocol.ss_jittered.unit_mm = jittered.number("unit_mm", 1e-6, 1000, 0.527);
-
-    protocol.ss_jittered.stretch = read_stretch(jittered);
-
-    TomlTable full = root.table("ss_full");
-    protocol.ss_full.stretch = read_stretch(full);
+    protocol.ss_jittered = read_jittered(root.table("ss_jittered"));
+    protocol.ss_full = read_full(root.table("ss_full"));
+    protocol.reference = read_reference(root.table("reference"));
     protocol.model = read_model(root.table("model"));
     protocol.session = read_session(root.table("session"), protocol);
+    if (root.has("display")) {
+        protocol.display = read_display(root.table("display"));
+    }
     root.finish();
     return protocol;
 }

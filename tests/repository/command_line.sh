@@ -95,7 +95,7 @@ refuses "/proc/analysis" analyse study --out /proc/analysis
 # What is right is done, and help reads like a manual page.
 "$skin2afc" analyse study --out analysis >/dev/null 2>&1 || complain "the study cannot be analysed"
 [ -s analysis/table2.tsv ] && [ -s analysis/report.html ] || complain "the analysis wrote no table or no report"
-for command in "" stimuli session analyse; do
+for command in "" stimuli compare "bench accuracy" session analyse; do
     # shellcheck disable=SC2086 # the empty command is no argument
     "$skin2afc" $command --help | grep -q "EXIT STATUS" || complain "$command --help has no section EXIT STATUS"
 done

@@ -11,13 +11,16 @@ forbid() { # FOLDER PATTERN: no file of the folder includes a header that matche
         status=1
     fi
 }
-forbid support 'study/|renderer/|stimuli/|experiment/|stats/'
-forbid study 'renderer/|stimuli/|experiment/|stats/'
-forbid renderer 'study/|stimuli/|experiment/|stats/'
-forbid renderer/optics 'renderer/(scene|gl|passes)/'
-forbid renderer/scene 'renderer/(gl|passes)/'
-forbid renderer/gl 'renderer/(optics|scene|passes)/'
-forbid stimuli 'experiment/|stats/'
-forbid experiment 'renderer/(optics|scene|passes)/|stimuli/|stats/'
-forbid stats 'study/|renderer/|stimuli/|experiment/|epoxy/|GLFW/|OpenImageIO/'
+forbid support 'study/|renderer/|stimuli/|measure/|experiment/|stats/'
+forbid study 'renderer/|stimuli/|measure/|experiment/|stats/'
+forbid renderer 'study/|stimuli/|measure/|experiment/|stats/'
+forbid renderer/optics 'renderer/(scene|gl|passes|reference)/'
+forbid renderer/scene 'renderer/(gl|passes|reference)/'
+forbid renderer/gl 'renderer/(optics|scene|passes|reference)/'
+forbid renderer/passes 'renderer/reference/'
+forbid renderer/reference 'renderer/(gl|passes)/|epoxy/'
+forbid stimuli 'measure/|experiment/|stats/'
+forbid measure 'experiment/|stats/'
+forbid experiment 'renderer/(optics|scene|passes|reference)/|stimuli/|measure/|stats/'
+forbid stats 'study/|renderer/|stimuli/|measure/|experiment/|epoxy/|GLFW/|OpenImageIO/'
 exit $status

@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$1"
 cited=$(grep -rohE '\[[A-Z][A-Za-z]+[0-9]{4}' --include='*.h' --include='*.cpp' --include='*.glsl' --include='*.frag' \
-    --include='*.vert' support study renderer stimuli experiment stats tests | tr -d '[' | sort -u)
+    --include='*.vert' support study renderer stimuli measure experiment stats tests | tr -d '[' | sort -u)
 entries=$(grep -oE '^@[a-z]+\{[A-Za-z0-9]+' REFERENCES.bib | sed 's/.*{//' | sort -u)
 [ -n "$cited" ]
 diff <(echo "$cited") <(echo "$entries")

@@ -126,7 +126,7 @@ TEST_F(ProtocolTest, namesLineAndFieldOfAValueOutOfRange) {
 TEST_F(ProtocolTest, refusesShadersThatItDoesNotHave) {
     EXPECT_EQ(error_with("\"no_sss\"", "\"magic\""),
               "p.toml:2: shaders: expected a shader (no_sss, ts, ss_jittered, "
-              "ss_full), found \"magic\"");
+              "ss_full, reference), found \"magic\"");
     EXPECT_NE(error(std::string(least) + "[session]\nreference = \"ss_full\"")
                   .find("p.toml:8: session.reference: expected one of the protocol's shaders"),
               std::string::npos);
@@ -161,6 +161,19 @@ TEST_F(ProtocolTest, refusesFieldsThatItDoesNotKnow) {
               "p.toml:7: light.elevation: unknown field; ");
     EXPECT_EQ(error(std::string(least) + "[camera2]\nx = 1").substr(0, 31),
               "p.toml:7: camera2: unknown fiel");
+}
+
+TEST_F(ProtocolTest, readsTheScreenWhereItIsDescribedWholly) {
+    EXPECT_FALSE(read(least).display);
+    const std::string table = "[display]\nwidth_mm = 600\nwidth_px = 1920\n";
+    const auto display = read(least + table + "distance_mm = 700").display;
+    ASSERT_TRUE(display);
+    EXPECT_EQ(display->width_mm, 600);
+    EXPECT_EQ(display->width_px, 1920);
+    EXPECT_EQ(display->distance_mm, 700);
+    EXPECT_NE(error(least + table).find("display.distance_mm: expected"), std::string::npos);
+    EXPECT_NE(error(least + table + "distance_mm = 0").find("p.toml:10: display.distance_mm: expected"),
+              std::string::npos);
 }
 
 TEST_F(ProtocolTest, namesStimuliAsTheirFilesAre) {

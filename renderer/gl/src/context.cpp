@@ -143,6 +143,12 @@ DriverInfo driver_info() {
     return {text(GL_RENDERER), text(GL_VENDOR), text(GL_VERSION)};
 }
 
+bool runs_on_cpu() {
+    const std::string renderer = driver_info().renderer;
+    return renderer.find("llvmpipe") != std::string::npos || renderer.find("softpipe") != std::string::npos ||
+           renderer.find("SwiftShader") != std::string::npos;
+}
+
 void require_opengl_45() {
     if (epoxy_gl_version() < 45 || !epoxy_is_desktop_gl()) {
         const DriverInfo info = driver_info();

@@ -10,6 +10,7 @@
 namespace renderer::gl {
 
 void delete_texture(GLuint id) { glDeleteTextures(1, &id); }
+void delete_sampler(GLuint id) { glDeleteSamplers(1, &id); }
 void delete_framebuffer(GLuint id) { glDeleteFramebuffers(1, &id); }
 void delete_buffer(GLuint id) { glDeleteBuffers(1, &id); }
 void delete_vertex_array(GLuint id) { glDeleteVertexArrays(1, &id); }
@@ -86,6 +87,16 @@ void Texture::filter(GLint minify, GLint magnify, GLint wrap) {
 }
 
 void Texture::generate_mipmaps() { glGenerateTextureMipmap(id()); }
+
+Sampler::Sampler(GLint filter, GLint wrap) {
+    GLuint id = 0;
+    glCreateSamplers(1, &id);
+    handle_ = Handle<delete_sampler>(id);
+    glSamplerParameteri(id, GL_TEXTURE_MIN_FILTER, filter);
+    glSamplerParameteri(id, GL_TEXTURE_MAG_FILTER, filter);
+    glSamplerParameteri(id, GL_TEXTURE_WRAP_S, wrap);
+    glSamplerParameteri(id, GL_TEXTURE_WRAP_T, wrap);
+}
 
 Framebuffer::Framebuffer(std::initializer_list<const Texture*> colors, const Texture* depth)
     : Framebuffer(std::vector<const Texture*>(colors), depth) {}
@@ -164,6 +175,9 @@ void Program::set(const char* name, const glm::vec2& value) const {
 void Program::set(const char* name, const glm::vec3& value) const {
     glProgramUniform3fv(id(), location(name), 1, glm::value_ptr(value));
 }
+void Program::set(const char* name, const glm::mat3& value) const {
+    glProgramUniformMatrix3fv(id(), location(name), 1, GL_FALSE, glm::value_ptr(value));
+}
 void Program::set(const char* name, const glm::mat4& value) const {
     glProgramUniformMatrix4fv(id(), location(name), 1, GL_FALSE, glm::value_ptr(value));
 }
@@ -171,10 +185,12 @@ void Program::set(const char* name, const std::vector<float>& values) const {
     glProgramUniform1fv(id(), location(name), static_cast<GLsizei>(values.size()), values.data());
 }
 void Program::set(const char* name, const std::vector<glm::vec2>& values) const {
-    glProgramUniform2fv(id(), location(name), static_cast<GLsizei>(values.size()), glm::value_ptr(values[0]));
+    glProgramUniform2fv(id(), location(name), static_cast<GLsizei>(values.size()),
+                        reinterpret_cast<const float*>(values.data()));
 }
 void Program::set(const char* name, const std::vector<glm::vec3>& values) const {
-    glProgramUniform3fv(id(), location(name), static_cast<GLsizei>(values.size()), glm::value_ptr(values[0]));
+    glProgramUniform3fv(id(), location(name), static_cast<GLsizei>(values.size()),
+                        reinterpret_cast<const float*>(values.data()));
 }
 
 } // namespace renderer::gl

@@ -3,6 +3,10 @@
 
 #include <renderer/optics/kernel.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 namespace renderer::optics {
 
 std::vector<Tap> hable_kernel() {
@@ -29,6 +33,72 @@ std::vector<Tap> hable_kernel() {
         tap.weight /= sum;
     }
     return taps;
+}
+
+namespace {
+
+/// The radius within which a share u of the light of the mean channel leaves: the CDF of a sum of Gaussians,
+/// 1 - sum w exp(-r^2 / 2v), inverted by bisection.
+double radius_of_share(const Profile& profile, double u) {
+    double low = 0;
+    double high = 0;
+    for (const Gaussian& g : profile.gaussians) {
+        high = std::max(high, 8 * std::sqrt(g.variance_mm2));
+    }
+    for (int i = 0; i < 60; ++i) {
+        const double r = 0.5 * (low + high);
+        double share = 0;
+        for (const Gaussian& g : profile.gaussians) {
+            share += (g.weight.r + g.weight.g + g.weight.b) / 3 * -std::expm1(-r * r / (2 * g.variance_mm2));
+        }
+        (share < u ? low : high) = r;
+    }
+    return 0.5 * (low + high);
+}
+
+} // namespace
+
+std::vector<Tap> sunflower_kernel(const Profile& wanted, int count) {
+    // A Gaussian without width stands for light that stays where it enters: give it a width that no tap can
+    // tell.
+    Profile profile = wanted;
+    for (Gaussian& g : profile.gaussians) {
+        g.variance_mm2 = std::max(g.variance_mm2, 1e-30);
+    }
+    const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
+    std::vector<Tap> taps;
+    glm::vec3 sum{0};
+    for (int i = 0; i < count; ++i) {
+        // Each tap stands for an equal share of the mean channel's light, at that share's middle.
+        const double r = radius_of_share(profile, (i + 0.5) / count);
+        const glm::dvec3 R = diffuse_reflectance(profile, r);
+        const double angle = golden_angle * i;
+        const glm::dvec2 offset = r * glm::dvec2(std::cos(angle), std::sin(angle));
+        taps.push_back({glm::vec2(offset), glm::vec3(R / std::max((R.r + R.g + R.b) / 3, 1e-300))});
+        sum += taps.back().weight;
+    }
+    for (Tap& tap : taps) {
+        tap.weight /= sum;
+    }
+    return taps;
+}
+
+double tap_ratio(int reach, double sigma) {
+    // The variance rises with the ratio: bisect.
+    double low = 0;
+    double high = 1;
+    for (int i = 0; i < 60; ++i) {
+        const double ratio = 0.5 * (low + high);
+        double sum = 1;
+        double variance = 0;
+        for (int k = 1; k <= reach; ++k) {
+            const double weight = 2 * std::pow(ratio, k * k);
+            sum += weight;
+            variance += weight * k * k;
+        }
+        (variance < sigma * sigma * sum ? low : high) = ratio;
+    }
+    return 0.5 * (low + high);
 }
 
 glm::vec3 rms_radius(const std::vector<Tap>& kernel) {

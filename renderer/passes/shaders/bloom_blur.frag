@@ -19,7 +19,7 @@ void main() {
         float near = exp(-0.5 * float(i * i) / (sigma_px * sigma_px));
         float far = exp(-0.5 * float((i + 1) * (i + 1)) / (sigma_px * sigma_px));
         float weight = near + far;
-        vec2 offset = axis * (float(i) + far / weight);
+        vec2 offset = axis * (float(i) + far / max(weight, 1e-30)); // both are 0 far out
         sum += weight * (texture(source, (gl_FragCoord.xy + offset) * texel) +
                          texture(source, (gl_FragCoord.xy - offset) * texel));
         total += 2.0 * weight;

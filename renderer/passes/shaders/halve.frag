@@ -3,15 +3,12 @@
 
 #version 450 core
 
-// Half the resolution: each pixel is the mean of four.
+// Half the resolution: each pixel is the mean of four, or of what it covers where the size is odd.
 layout(binding = 0) uniform sampler2D source;
 
 layout(location = 0) out vec4 halved;
 
 void main() {
-    ivec2 first = 2 * ivec2(gl_FragCoord.xy);
-    ivec2 last = textureSize(source, 0) - 1;
-    halved = 0.25 * (texelFetch(source, min(first, last), 0) + texelFetch(source, min(first + ivec2(1, 0), last), 0) +
-                     texelFetch(source, min(first + ivec2(0, 1), last), 0) +
-                     texelFetch(source, min(first + ivec2(1, 1), last), 0));
+    vec2 half_size = vec2((textureSize(source, 0) + 1) / 2);
+    halved = texture(source, gl_FragCoord.xy / half_size);
 }

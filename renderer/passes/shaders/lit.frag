@@ -14,6 +14,9 @@ layout(location = 3) out float depth_mm;
 uniform vec3 eye_mm;
 uniform float fresnel_f0;
 
+// Highlights beyond this multiple of a white surface end here; half floats end at 65504.
+const float brightest = 16384.0;
+
 // Kelemen/Szirmay-Kalos [DEonLuebke2007]; h is not normalised, Beckmann's lobe is computed, not
 // looked up, and the factor 1 / pi is in the caller.
 float kelemen_szirmay_kalos(vec3 N, vec3 L, vec3 V, float m) {
@@ -29,15 +32,15 @@ float kelemen_szirmay_kalos(vec3 N, vec3 L, vec3 V, float m) {
 
 void main() {
     vec3 N = mapped_normal();
-    vec3 V = normalize(eye_mm - surface.position_mm);
+    vec3 V = direction_of(eye_mm - surface_position_mm());
     float m = slope();
-    float visible = dot(geometric_normal(), light_direction) > -0.3 ? visibility() : 0.0;
+    float visible = visibility();
 
     vec3 color = albedo();
     diffuse = vec4(entering_light(N, color, m, visible), 1.0);
-    vec3 leaving = pow(color, vec3(1.0 - texture_mix));
+    vec3 leaving = part_of_color(color, 1.0 - texture_mix);
     after_scattering = vec4(leaving * (1.0 - specular_intensity * specular_albedo(dot(N, V), m)), 1.0);
     float reflected = specular_intensity * kelemen_szirmay_kalos(N, light_direction, V, m);
-    specular = vec4(light_irradiance * (visible * reflected / pi), 1.0);
-    depth_mm = surface.depth_mm;
+    specular = vec4(min(light_irradiance * (visible * reflected / pi), vec3(brightest)), 1.0);
+    depth_mm = surface_depth_mm();
 }

@@ -1,21 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The skin2afc authors
 // SPDX-License-Identifier: MIT
 
-// The material at a point of the surface, and its light. Needs the Surface block.
-in Surface {
-    centroid vec3 position_mm;
-    centroid vec3 normal;
-    centroid vec4 tangent;
-    centroid vec2 uv;
-    centroid float depth_mm;
-} surface;
+// The material at a point of the surface, and its light.
+#include "surface.glsl"
 
 layout(binding = 0) uniform sampler2D base_color_map; // decoded to linear Rec. 709 by its sRGB format
 layout(binding = 1) uniform sampler2D normal_map;
 layout(binding = 2) uniform sampler2D roughness_map;
-layout(binding = 3) uniform sampler2DShadow shadow_map;
+layout(binding = 3) uniform sampler2D shadow_map; // depth from the light, 0 to 1
 layout(binding = 4) uniform sampler2D specular_albedo_table; // x: cosine, y: slope m
-layout(binding = 5) uniform sampler2D shadow_bounds; // least and greatest depth within the filter's reach
+layout(binding = 5) uniform sampler2D shadow_bounds; // least and greatest depth around each block of texels
 
 uniform vec3 base_color_factor;
 uniform float normal_scale;
@@ -28,33 +22,43 @@ uniform vec3 ambient_irradiance;
 uniform mat4 light_from_world;
 uniform float shadow_texel_mm;
 uniform float shadow_sigma_texels;
-uniform int shadow_reach; // texels to each side of the filter's middle
+uniform float widest_shadow_sigma; // texels
+uniform float slant_lift; // lift per length by which a pixel's square is drawn out: 0 in texture space
+uniform int shadow_block; // texels of the map a side of one texel of shadow_bounds
 uniform float texture_mix;
 uniform float specular_intensity;
 
 const float pi = 3.14159265358979;
 const int table_size = 64; // specular_albedo_table is table_size squared
 
-// Kept off 0, whose power 0 is undefined.
-vec3 albedo() { return max(base_color_factor * texture(base_color_map, surface.uv).rgb, vec3(1e-6)); }
+// The unit vector along v; zero, which no light reaches, where v has no direction.
+vec3 direction_of(vec3 v) {
+    float vv = dot(v, v);
+    return vv > 1e-12 ? v * inversesqrt(vv) : vec3(0.0);
+}
+
+vec3 albedo() { return base_color_factor * texture(base_color_map, surface_uv()).rgb; }
+
+// The part of the colour that an exponent of it stands for; 0 to the power 0 is 1 here, but undefined in GLSL.
+vec3 part_of_color(vec3 color, float exponent) { return exponent > 0.0 ? pow(color, vec3(exponent)) : vec3(1.0); }
 
 // Beckmann's slope m: the square of the perceptual roughness, as glTF's alpha is.
 float slope() {
-    float roughness = roughness_factor * texture(roughness_map, surface.uv).g;
+    float roughness = roughness_factor * texture(roughness_map, surface_uv()).g;
     return max(roughness * roughness, 0.02);
 }
 
 vec3 geometric_normal() {
-    vec3 N = normalize(surface.normal);
+    vec3 N = direction_of(surface_normal());
     return double_sided && !gl_FrontFacing ? -N : N;
 }
 
 vec3 mapped_normal() {
     vec3 N = geometric_normal();
-    vec3 T = normalize(surface.tangent.xyz - N * dot(N, surface.tangent.xyz));
-    vec3 B = cross(N, T) * surface.tangent.w;
-    vec3 n = texture(normal_map, surface.uv).xyz * 2.0 - 1.0;
-    return normalize((T * n.x + B * n.y) * normal_scale + N * n.z); // green and bitangent both point up the image
+    vec3 T = direction_of(surface_tangent().xyz - N * dot(N, surface_tangent().xyz));
+    vec3 B = cross(N, T) * surface_tangent().w;
+    vec3 n = texture(normal_map, surface_uv()).xyz * 2.0 - 1.0;
+    return direction_of((T * n.x + B * n.y) * normal_scale + N * n.z); // green and bitangent both point up the image
 }
 
 // rho_dt of [DEonLuebke2007]: what is reflected specularly from direction with cosine NoX.
@@ -63,47 +67,67 @@ float specular_albedo(float NoX, float m) {
     return texture(specular_albedo_table, place / float(table_size)).r;
 }
 
-// Weight of a shadow map's texel at a distance (texels) from the point: a Gaussian that ends smoothly at the reach.
-vec4 shadow_weights(vec4 distance) {
-    float inverse_variance = 1.0 / max(shadow_sigma_texels * shadow_sigma_texels, 0.05);
-    float end = float(shadow_reach) + 1.0;
+// Weights of shadow map's texels at distances (texels) from the point: a Gaussian that ends smoothly at the reach.
+vec4 shadow_weights(vec4 distance, float sigma, float reach) {
+    float inverse_variance = 1.0 / max(sigma * sigma, 0.05);
+    float end = reach + 1.0;
     vec4 weights = exp(-0.5 * inverse_variance * distance * distance) - exp(-0.5 * inverse_variance * end * end);
     return max(weights, vec4(0.0));
 }
 
-// Share of the light that reaches the surface: percentage-closer filtering [Reeves1987] with Gaussian weights,
-// four texels at a time.
+// Share of the light that reaches the surface: percentage-closer filtering [Reeves1987] with Gaussian weights, four
+// texels at a time. Each texel is compared with the depth that the surface's own plane has there, so that the filter
+// needs no bias that grows with its reach. The filter is at least as wide as the square that the pixel covers, of which
+// the shader sees one point; and the plane is lifted by a texel, and more where the surface is seen from the side, since
+// there the point may lie that far beside its triangle. It is lifted towards the light: to move it sideways would move the
+// shadows.
 float visibility() {
     vec3 N = geometric_normal();
-    float NoL = dot(N, light_direction);
-    // Lift the point off the surface by what the filter reaches over a plane of this tilt, so that it does not
-    // shadow itself.
-    float tilt = sqrt(max(1.0 - NoL * NoL, 0.0));
-    float lift_mm = shadow_texel_mm * (float(shadow_reach + 1) * tilt + 0.5);
-    vec3 place = (light_from_world * vec4(surface.position_mm + N * lift_mm, 1.0)).xyz * 0.5 + 0.5;
-    if (any(lessThan(place, vec3(0.0))) || any(greaterThanEqual(place, vec3(1.0)))) {
-        return 1.0; // lifted out of the box around the model, where nothing casts shadows
-    }
-    // All that the filter meets lies behind the point, or all before it: then no tap is needed.
+    vec2 pixel_mm = vec2(length(dFdx(surface_position_mm())), length(dFdy(surface_position_mm())));
+    float slant_mm = abs(pixel_mm.x - pixel_mm.y);
+    vec3 place = (light_from_world * vec4(surface_position_mm(), 1.0)).xyz * 0.5 + 0.5;
     vec2 size = vec2(textureSize(shadow_map, 0));
-    vec2 bounds = texelFetch(shadow_bounds, ivec2(place.xy * size), 0).xy;
-    if (place.z <= bounds.x || place.z > bounds.y) {
-        return place.z <= bounds.x ? 1.0 : 0.0;
+    vec2 along_x = dFdx(place.xy) * size;
+    vec2 along_y = dFdy(place.xy) * size;
+    float pixel_variance = (dot(along_x, along_x) + dot(along_y, along_y)) / 24.0;
+    float sigma = min(sqrt(shadow_sigma_texels * shadow_sigma_texels + pixel_variance), widest_shadow_sigma);
+    float reach = ceil(2.0 * sigma);
+    float NoL = dot(N, light_direction);
+    if (NoL <= 0.0) {
+        return 0.0;
+    }
+    if (any(lessThan(place, vec3(0.0))) || any(greaterThanEqual(place, vec3(1.0)))) {
+        return 1.0; // out of the box around the model, where nothing casts shadows
+    }
+    // The plane in the map: depth per texel along x and y. Planes that the light grazes are taken as if it did so less.
+    mat3 rows = transpose(mat3(light_from_world));
+    vec3 n = vec3(dot(rows[0], N), dot(rows[1], N), dot(rows[2], N)) /
+             vec3(dot(rows[0], rows[0]), dot(rows[1], rows[1]), dot(rows[2], rows[2]));
+    float depth_per_mm = 0.5 * length(rows[2]);
+    vec2 slope = -n.xy / (min(n.z, -0.05 / (2.0 * depth_per_mm)) * size);
+    place.z -= depth_per_mm * (2.0 * shadow_texel_mm + slant_lift * slant_mm) / max(NoL, 0.05);
+
+    // All that the filter meets lies behind the plane, or all before it: then no tap is needed.
+    float rise = (abs(slope.x) + abs(slope.y)) * (reach + 1.0);
+    vec2 bounds = texelFetch(shadow_bounds, ivec2(place.xy * size) / shadow_block, 0).xy;
+    if (place.z + rise <= bounds.x || place.z - rise > bounds.y) {
+        return place.z + rise <= bounds.x ? 1.0 : 0.0;
     }
     vec2 point = place.xy * size - 0.5; // texel centres at whole numbers
-    vec2 first = floor(point) - float(shadow_reach);
+    vec2 first = floor(point) - reach;
     float lit = 0.0;
     float total = 0.0;
-    for (int y = 0; y <= 2 * shadow_reach; y += 2) {
-        for (int x = 0; x <= 2 * shadow_reach; x += 2) {
+    for (float y = 0.0; y <= 2.0 * reach; y += 2.0) {
+        for (float x = 0.0; x <= 2.0 * reach; x += 2.0) {
             vec2 texel = first + vec2(x, y);
-            vec4 near = textureGather(shadow_map, (texel + 1.0) / size, place.z);
-            vec2 d = texel - point;
+            vec4 depth = textureGather(shadow_map, (texel + 1.0) / size);
             // Gathered in the order (0, 1), (1, 1), (1, 0), (0, 0).
-            vec4 along_x = shadow_weights(d.x + vec4(0.0, 1.0, 1.0, 0.0));
-            vec4 along_y = shadow_weights(d.y + vec4(1.0, 1.0, 0.0, 0.0));
-            lit += dot(along_x * along_y, near);
-            total += dot(along_x, along_y);
+            vec4 dx = texel.x - point.x + vec4(0.0, 1.0, 1.0, 0.0);
+            vec4 dy = texel.y - point.y + vec4(1.0, 1.0, 0.0, 0.0);
+            vec4 weight = shadow_weights(dx, sigma, reach) * shadow_weights(dy, sigma, reach);
+            // Beside the model nothing casts shadows, though the plane may go on beyond the map's greatest depth there.
+            lit += dot(weight, step(min(place.z + slope.x * dx + slope.y * dy, 1.0), depth));
+            total += dot(weight, vec4(1.0));
         }
     }
     return lit / total;
@@ -115,5 +139,5 @@ vec3 entering_light(vec3 N, vec3 color, float m, float visible) {
     float NoL = dot(N, light_direction);
     vec3 direct = light_irradiance * (max(NoL, 0.0) * visible * (1.0 - specular_intensity * specular_albedo(NoL, m)));
     vec3 ambient = ambient_irradiance * (0.5 + 0.5 * N.y);
-    return (direct + ambient) * pow(color, vec3(texture_mix)) / pi;
+    return (direct + ambient) * part_of_color(color, texture_mix) / pi;
 }

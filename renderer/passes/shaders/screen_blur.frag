@@ -2,31 +2,100 @@
 // SPDX-License-Identifier: MIT
 
 #version 450 core
+#include "screen_metric.glsl"
 
-// One 1D Gaussian over the skin on the screen. Taps beside the skin have matte 0 and take no part; the sum is
-// divided by the matte it met, so that no background bleeds in.
-layout(binding = 0) uniform sampler2D source; // rgb times matte, matte
-layout(binding = 1) uniform sampler2D stretch_map; // pixels per millimetre, 0 where there is no skin
-uniform float widest_px; // bound of a kernel's step, for depths near 0
-uniform ivec2 axis;
+// One 1D Gaussian over the skin on the screen, and its share of the profile's sum. Taps beside the skin have matte 0
+// and take no part; the sum is divided by the matte it met, so that no background bleeds in.
+// REACH (taps to each side), PUBLISHED_TAPS, PUBLISHED_FORESHORTENING, REJECT_GAPS, SECOND_PASS, DEPTH_IN and DEPTH_OUT
+// are defined by the program: loops and branches that a compiler cannot see through cost as much as the taps.
+layout(binding = 0) uniform sampler2D source; // rgb times matte; matte or, where DEPTH_IN is set, depth
+layout(binding = 2) uniform sampler2D depth_map;
+layout(binding = 3) uniform sampler2D ratio_table; // optics::tap_ratio over the standard deviation in steps
+layout(binding = 4) uniform sampler2D carried;     // light that narrower Gaussians left as it was
+
 uniform float sigma_mm;
-uniform float taps[7]; // weights at -3 ... 3 standard deviations
+uniform float published_weights[4]; // of the taps, from the middle outwards
+uniform float table_end;            // the greatest standard deviation of the table, steps
 
 layout(location = 0) out vec4 blurred;
+#if SECOND_PASS
+uniform vec3 share;         // weight of this Gaussian in the profile
+uniform vec3 carried_share; // weight of the narrower ones
+layout(location = 1) out vec4 sum_of_shares;
+#endif
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec2 px_per_mm = texelFetch(stretch_map, pixel, 0).xy;
-    if (px_per_mm.x <= 0.0) {
+    vec3 surface = texelFetch(surface_map, pixel, 0).xyz;
+    if (surface.x <= 0.0) {
         blurred = vec4(0.0);
+#if SECOND_PASS
+        sum_of_shares = vec4(0.0);
+#endif
         return;
     }
-    float step_px = min(sigma_mm * dot(px_per_mm, vec2(axis)), widest_px);
-    vec2 texel = 1.0 / vec2(textureSize(source, 0));
-    vec4 sum = vec4(0.0);
-    for (int i = 0; i < 7; ++i) {
-        vec2 place = gl_FragCoord.xy + vec2(axis) * (float(i - 3) * step_px);
-        sum += taps[i] * textureLod(source, place * texel, 0.0);
+    vec3 shape = kernel_shape(surface, gl_FragCoord.xy);
+#if SECOND_PASS
+    float sigma_px = sigma_mm * shape.y;
+    vec2 axis = vec2(shape.z, 1.0);
+#else
+    float sigma_px = sigma_mm * shape.x;
+    vec2 axis = vec2(1.0, 0.0);
+#endif
+
+#if PUBLISHED_TAPS
+    axis *= min(sigma_px, widest_px);
+#else
+    // Taps stand on pixels, a whole number of pixels apart, and reach over three standard deviations; the k-th weighs
+    // ratio^(k^2), and the ratio is the one that gives them the Gaussian's variance.
+    float step_px = clamp(ceil(3.0 / float(max(REACH, 3)) * sigma_px - 0.35), 1.0, floor(widest_px) + 1.0);
+    axis *= step_px;
+    float size_of_table = float(textureSize(ratio_table, 0).x);
+    float place_in_table = min(sigma_px / (step_px * table_end), 1.0) * (size_of_table - 1.0) + 0.5;
+    float ratio = textureLod(ratio_table, vec2(place_in_table / size_of_table, 0.5), 0.0).r;
+    float next_ratio = ratio; // ratio^(2k - 1)
+    float weight_of_pair = 1.0;
+#endif
+
+    // The plane of the surface, in view space: a tap that lies off it is farther away than it looks.
+    vec3 q = ray(gl_FragCoord.xy);
+    vec3 plane = normalize(cross(vec3(1.0, 0.0, 0.0) + surface.y * q, vec3(0.0, 1.0, 0.0) + surface.z * q));
+    float plane_mm = surface.x * dot(plane, q);
+    float off_plane_scale = -0.5 / max(sigma_mm * sigma_mm, 1e-30);
+
+    vec2 size = vec2(textureSize(source, 0));
+    vec4 sum = vec4(texelFetch(source, pixel, 0).rgb, 1.0);
+#if PUBLISHED_TAPS
+    sum *= published_weights[0];
+#endif
+    for (int i = 0; i < 2 * REACH; ++i) {
+        int k = (i >> 1) + 1;
+        vec2 place = gl_FragCoord.xy + float((i & 1) == 0 ? k : -k) * axis;
+#if PUBLISHED_TAPS
+        float weight = published_weights[k];
+#else
+        if ((i & 1) == 0) {
+            weight_of_pair *= next_ratio;
+            next_ratio *= ratio * ratio;
+        }
+        float weight = weight_of_pair;
+#endif
+        vec4 light = textureLod(source, place / size, 0.0);
+#if DEPTH_IN
+        float depth = light.a;
+        light.a = depth > 0.0 ? 1.0 : 0.0;
+#elif REJECT_GAPS
+        float depth = textureLod(depth_map, place / size, 0.0).r;
+#endif
+#if REJECT_GAPS
+        float off_plane_mm = depth * dot(plane, ray(floor(place) + 0.5)) - plane_mm;
+        bool inside = clamp(place, vec2(0.0), size) == place; // else a mirror image, of another place
+        weight *= inside ? exp(off_plane_scale * off_plane_mm * off_plane_mm) : 1.0;
+#endif
+        sum += weight * light;
     }
-    blurred = vec4(sum.rgb / sum.a, 1.0);
+    blurred = vec4(sum.rgb / sum.a, DEPTH_OUT == 1 ? surface.x : 1.0);
+#if SECOND_PASS
+    sum_of_shares = vec4(share * blurred.rgb + carried_share * texelFetch(carried, pixel, 0).rgb, 0.0);
+#endif
 }

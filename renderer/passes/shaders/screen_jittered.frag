@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: MIT
 
 #version 450 core
+#include "screen_metric.glsl"
 
-// Hable's 13 taps [Hable2009] on the screen, turned by a random angle at each pixel [Jimenez2009, section 4].
+// A kernel of few taps on the screen, turned by a random angle at each pixel [Jimenez2009, section 4].
 layout(binding = 0) uniform sampler2D source; // rgb times matte, matte
-layout(binding = 1) uniform sampler2D stretch_map; // pixels per millimetre, 0 where there is no skin
-uniform float widest_px; // bound of a kernel's step, for depths near 0
-uniform vec2 tap_offsets_mm[13];
-uniform vec3 tap_weights[13];
+uniform int tap_count;
+uniform vec2 tap_offsets_mm[49];
+uniform vec3 tap_weights[49];
 
 layout(location = 0) out vec4 scattered;
 
@@ -22,21 +22,25 @@ float random(uvec2 pixel) {
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec2 px_per_mm = texelFetch(stretch_map, pixel, 0).xy;
-    if (px_per_mm.x <= 0.0) {
+    vec3 surface = texelFetch(surface_map, pixel, 0).xyz;
+    if (surface.x <= 0.0) {
         scattered = vec4(0.0);
         return;
     }
+    vec3 shape = kernel_shape(surface, gl_FragCoord.xy);
+    mat2 px_per_mm = mat2(shape.x, 0.0, shape.z * shape.y, shape.y);
     float angle = 6.28318530717959 * random(uvec2(pixel));
     mat2 turn = mat2(cos(angle), sin(angle), -sin(angle), cos(angle));
     vec2 texel = 1.0 / vec2(textureSize(source, 0));
     vec3 sum = vec3(0.0);
     vec3 met = vec3(0.0);
-    for (int i = 0; i < 13; ++i) {
-        vec2 offset_px = clamp(turn * tap_offsets_mm[i] * px_per_mm, -widest_px, widest_px);
+    for (int i = 0; i < tap_count; ++i) {
+        vec2 offset_px = clamp(px_per_mm * (turn * tap_offsets_mm[i]), -widest_px, widest_px);
         vec4 tap = textureLod(source, (gl_FragCoord.xy + offset_px) * texel, 0.0);
         sum += tap_weights[i] * tap.rgb;
         met += tap_weights[i] * tap.a;
     }
-    scattered = vec4(sum / max(met, vec3(1e-4)), 1.0);
+    // Where no tap met skin, the light stays where it is.
+    vec3 here = texelFetch(source, pixel, 0).rgb;
+    scattered = vec4(mix(here, sum / max(met, vec3(1e-4)), step(1e-4, met)), 1.0);
 }

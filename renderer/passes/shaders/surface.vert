@@ -4,7 +4,9 @@
 #version 450 core
 #include "vertex_inputs.glsl"
 
-uniform mat4 view_from_world;
+uniform mat3 view_from_world;
+uniform vec3 eye_mm;
+uniform float beyond_mm; // farther than any place, which the compiler does not know
 uniform mat4 clip_from_view;
 
 // Centroid: where a pixel is covered in part, values come from inside the triangle, not from beyond its edge.
@@ -14,14 +16,17 @@ out Surface {
     centroid vec4 tangent;
     centroid vec2 uv;
     centroid float depth_mm;
+    centroid float unity;
 } surface;
 
 void main() {
-    vec4 view_mm = view_from_world * vec4(position_mm, 1.0);
+    // The difference is exact beside the camera, where a matrix that moves would lose it.
+    vec3 view_mm = view_from_world * (position_mm - eye_mm);
     surface.position_mm = position_mm;
     surface.normal = normal;
     surface.tangent = tangent;
     surface.uv = uv;
     surface.depth_mm = -view_mm.z;
-    gl_Position = clip_from_view * view_mm;
+    surface.unity = position_mm.x < beyond_mm ? 1.0 : 0.0; // 1, but seen by the compiler as a value like others
+    gl_Position = clip_from_view * vec4(view_mm, 1.0);
 }

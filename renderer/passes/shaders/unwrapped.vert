@@ -14,6 +14,7 @@ out Surface {
     centroid vec4 tangent;
     centroid vec2 uv;
     centroid float depth_mm;
+    centroid float unity;
 } surface;
 
 void main() {
@@ -22,5 +23,6 @@ void main() {
     surface.tangent = tangent;
     surface.uv = uv;
     surface.depth_mm = 0.0;
+    surface.unity = 1.0;
     gl_Position = vec4((uv - uv_origin) * uv_scale * 2.0 - 1.0, 0.0, 1.0);
 }

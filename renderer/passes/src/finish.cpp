@@ -12,11 +12,12 @@ namespace renderer::passes {
 Finish::Finish(int width, int height, const Look& look)
     : look_(look), composite_(load_screen_program("composite.frag")),
       halve_(load_screen_program("halve.frag")), bloom_(load_screen_program("bloom_blur.frag")),
-      output_(load_screen_program("output.frag")), color_(GL_RGBA16F, width, height),
-      half_(GL_RGBA16F, (width + 1) / 2, (height + 1) / 2),
-      half_blurred_(GL_RGBA16F, (width + 1) / 2, (height + 1) / 2), srgb_(GL_RGBA8, width, height),
+      output_(load_screen_program("output.frag")), color_(light_format(), width, height),
+      half_(light_format(), (width + 1) / 2, (height + 1) / 2),
+      half_blurred_(light_format(), (width + 1) / 2, (height + 1) / 2), srgb_(GL_RGBA8, width, height),
       linear_(GL_RGBA32F, width, height), color_target_({&color_}), half_target_({&half_}),
       half_blurred_target_({&half_blurred_}), srgb_target_({&srgb_}), both_target_({&srgb_, &linear_}) {
+    color_.filter(GL_LINEAR, GL_LINEAR);
     half_.filter(GL_LINEAR, GL_LINEAR);
     half_blurred_.filter(GL_LINEAR, GL_LINEAR);
 }
@@ -24,7 +25,7 @@ Finish::Finish(int width, int height, const Look& look)
 void Finish::composite(const gl::Texture& scattered, const LitFrame& lit) {
     color_target_.bind();
     composite_.use();
-    composite_.set("background", look_.background);
+    level_ = lit.level;
     scattered.bind(0);
     lit.after_scattering.bind(1);
     lit.specular.bind(2);
@@ -56,7 +57,8 @@ Frame Finish::output(bool with_linear) {
     (with_linear ? both_target_ : srgb_target_).bind();
     output_.use();
     output_.set("bloom_strength", blooms ? look_.bloom_strength : 0.0f);
-    output_.set("exposure", look_.exposure);
+    output_.set("skin_exposure", look_.exposure * level_);
+    output_.set("background", look_.exposure * look_.background);
     color_.bind(0);
     half_.bind(1);
     draw_screen();

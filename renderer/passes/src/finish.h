@@ -21,6 +21,7 @@ public:
 
 private:
     Look look_;
+    glm::vec3 level_{1}; ///< of the light in the frame that was composed last
     gl::Program composite_, halve_, bloom_, output_;
     gl::Texture color_, half_, half_blurred_, srgb_, linear_;
     gl::Framebuffer color_target_, half_target_, half_blurred_target_, srgb_target_, both_target_;

@@ -6,11 +6,14 @@
 #include <vector>
 
 #include <renderer/gl/objects.h>
+#include <renderer/scene/camera.h>
 #include <renderer/scene/model.h>
 
 namespace renderer::passes {
 
 /// A model's buffers and textures on the GPU, with the places of its vertices for fitting cameras and lights.
+/// Places are relative to the middle of the model's bounds, so that floats have room for details of a model
+/// far from the world's origin. Normals and tangents that are zero are made anew.
 class GpuModel {
 public:
     /// `default_slope` is Beckmann's m where a material says nothing of its roughness.
@@ -25,8 +28,13 @@ public:
     };
     const std::vector<Mesh>& meshes() const { return meshes_; }
     std::size_t material_count() const { return materials_.size(); }
+    /// The vertices that triangles use.
     const std::vector<glm::vec3>& places_mm() const { return places_mm_; }
     const scene::Bounds& bounds() const { return bounds_; }
+    /// The largest side of the bounds, above 0.
+    float extent_mm() const;
+    /// A camera of the world, relative to the model's origin.
+    scene::Camera seen_by(scene::Camera camera) const;
 
     /// Bind a material's maps to units 0 to 2 and set its factors.
     void bind_material(const gl::Program& program, std::size_t material, bool may_be_double_sided) const;
@@ -48,6 +56,7 @@ private:
     std::vector<Mesh> meshes_;
     std::vector<Material> materials_;
     std::vector<glm::vec3> places_mm_;
+    glm::dvec3 origin_mm_{0}; ///< in the world
     scene::Bounds bounds_;
 };
 

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 
+#include <renderer/gl/context.h>
 #include <renderer/optics/specular.h>
 
 #include "shader_library.h"
@@ -14,18 +17,20 @@ namespace renderer::passes {
 
 // material.glsl's table_size
 constexpr int specular_table_size = 64;
+// Shadows are free of acne at grazing views from 0.2 on.
+constexpr float slant_lift = 0.3f;
 
 PixelRect visible_rect(const scene::Camera& camera, const scene::Bounds& bounds) {
     const PixelRect whole{0, 0, camera.width, camera.height};
-    const glm::mat4 view = camera.view();
-    glm::vec2 low(1e30f);
-    glm::vec2 high(-1e30f);
+    const glm::mat3 rotation = camera.rotation();
+    glm::vec2 low(std::numeric_limits<float>::infinity());
+    glm::vec2 high = -low;
     for (int corner = 0; corner < 8; ++corner) {
         const glm::vec3 p((corner & 1) ? bounds.low.x : bounds.high.x,
                           (corner & 2) ? bounds.low.y : bounds.high.y,
                           (corner & 4) ? bounds.low.z : bounds.high.z);
-        const glm::vec3 v(view * glm::vec4(p, 1));
-        if (v.z > -1e-3f) {
+        const glm::vec3 v = rotation * (p - camera.eye_mm);
+        if (v.z >= 0) {
             return whole; // a corner beside or behind the camera can appear anywhere
         }
         const glm::vec2 pixel =
@@ -44,17 +49,45 @@ PixelRect visible_rect(const scene::Camera& camera, const scene::Bounds& bounds)
     return {left, bottom, right - left, top - bottom};
 }
 
+namespace {
+
+/// The depths of a frame, from the model's bounding sphere.
+void find_depths(LitFrame& frame, const scene::Camera& camera, const scene::Bounds& bounds) {
+    const glm::vec3 middle = camera.rotation() * (0.5f * (bounds.low + bounds.high) - camera.eye_mm);
+    const float radius_mm = 0.5f * glm::length(bounds.high - bounds.low);
+    constexpr float share_in_front = 1e-3f; // of the radius, where the camera is beside or inside the model
+    frame.nearest_mm = std::max(-middle.z - radius_mm, share_in_front * radius_mm);
+    frame.middle_mm = std::max(-middle.z, share_in_front * radius_mm);
+}
+
+} // namespace
+
+GLenum light_format() { return gl::runs_on_cpu() ? GL_RGBA32F : GL_RGBA16F; }
+
 LitFrame::LitFrame(int width, int height)
-    : diffuse(GL_RGBA16F, width, height), after_scattering(GL_RGBA16F, width, height),
-      specular(GL_RGBA16F, width, height), depth_mm(GL_R32F, width, height), rect{0, 0, width, height} {
+    : diffuse(light_format(), width, height), after_scattering(light_format(), width, height),
+      specular(light_format(), width, height), depth_mm(GL_R32F, width, height), rect{0, 0, width, height} {
     // Kernels that reach over the screen's edge see its mirror image.
     diffuse.filter(GL_LINEAR, GL_LINEAR, GL_MIRRORED_REPEAT);
 }
 
+namespace {
+
+/// The table of a Fresnel reflectance. It takes a second to compute, so it is kept for later pipelines.
+const std::vector<float>& specular_table(float fresnel_f0) {
+    static std::map<float, std::vector<float>> tables;
+    std::vector<float>& table = tables[fresnel_f0];
+    if (table.empty()) {
+        table = optics::specular_albedo_table(specular_table_size, static_cast<double>(fresnel_f0));
+    }
+    return table;
+}
+
+} // namespace
+
 SurfaceLook::SurfaceLook(const Look& look)
     : look_(look), specular_albedo_(GL_R32F, specular_table_size, specular_table_size) {
-    const std::vector<float> table =
-        optics::specular_albedo_table(specular_table_size, static_cast<double>(look.fresnel_f0));
+    const std::vector<float>& table = specular_table(look.fresnel_f0);
     specular_albedo_.upload(GL_RED, GL_FLOAT, table.data());
     specular_albedo_.filter(GL_LINEAR, GL_LINEAR);
 }
@@ -67,46 +100,74 @@ void SurfaceLook::bind(const gl::Program& program) const {
 }
 
 void set_camera(const gl::Program& program, const scene::Camera& camera, const scene::Bounds& bounds) {
-    program.set("view_from_world", camera.view());
+    program.set("view_from_world", camera.rotation());
+    program.set("eye_mm", camera.eye_mm);
+    program.set("beyond_mm", std::numeric_limits<float>::max());
     program.set("clip_from_view", camera.projection(bounds));
 }
 
-LitPass::LitPass(int width, int height, int samples)
-    : samples_(samples), program_(load_program("surface.vert", "lit.frag")),
-      resolve_(load_screen_program(samples > 1 ? "resolve.frag" : "copy_lit.frag")),
-      diffuse_(GL_RGBA16F, width, height, 1, samples), after_(GL_RGBA16F, width, height, 1, samples),
-      specular_(GL_RGBA16F, width, height, 1, samples), depth_mm_(GL_R32F, width, height, 1, samples),
-      depth_(GL_DEPTH_COMPONENT32F, width, height, 1, samples), frame_(width, height),
-      samples_target_({&diffuse_, &after_, &specular_, &depth_mm_}, &depth_),
-      target_({&frame_.diffuse, &frame_.after_scattering, &frame_.specular, &frame_.depth_mm}) {}
+ReversedDepth::ReversedDepth() {
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_GREATER);
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+}
 
-const LitFrame& LitPass::render(const GpuModel& model, const SurfaceLook& look, const scene::Camera& camera,
-                                const Light& light, const ShadowMap& shadow) {
+ReversedDepth::~ReversedDepth() {
+    glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    glDepthFunc(GL_LESS);
+    glDisable(GL_DEPTH_TEST);
+}
+
+LitPass::Samples::Samples(int width, int height, int count, const gl::Texture& depth)
+    : resolve(load_screen_program("resolve.frag")), diffuse(light_format(), width, height, 1, count),
+      after(light_format(), width, height, 1, count), specular(light_format(), width, height, 1, count),
+      depth_mm(GL_R32F, width, height, 1, count), target({&diffuse, &after, &specular, &depth_mm}, &depth) {}
+
+LitPass::LitPass(int width, int height, int samples)
+    : sample_count_(samples), program_(load_program("surface.vert", "lit.frag")),
+      depth_(GL_DEPTH_COMPONENT32F, width, height, 1, samples), frame_(width, height),
+      samples_(samples > 1 ? std::make_unique<Samples>(width, height, samples, depth_) : nullptr),
+      target_({&frame_.diffuse, &frame_.after_scattering, &frame_.specular, &frame_.depth_mm},
+              samples > 1 ? nullptr : &depth_) {}
+
+void LitPass::resolve() {
+    target_.bind();
+    samples_->resolve.use();
+    samples_->diffuse.bind(0);
+    samples_->after.bind(1);
+    samples_->specular.bind(2);
+    samples_->depth_mm.bind(3);
+    samples_->resolve.set("samples", sample_count_);
+    draw_screen();
+}
+
+const LitFrame& LitPass::render(const GpuModel& model, const SurfaceLook& look,
+                                const scene::Camera& world_camera, const Light& light,
+                                const ShadowMap& shadow) {
     // Light every sample.
-    samples_target_.bind();
+    const gl::Framebuffer& target = samples_ ? samples_->target : target_;
+    target.bind();
     for (int attachment = 0; attachment < 4; ++attachment) {
-        samples_target_.clear_color(attachment, glm::vec4(0));
+        target.clear_color(attachment, glm::vec4(0));
     }
-    samples_target_.clear_depth(1);
+    target.clear_depth(0);
     program_.use();
+    const scene::Camera camera = model.seen_by(world_camera);
     set_camera(program_, camera, model.bounds());
-    program_.set("eye_mm", camera.eye_mm);
     look.bind(program_);
     shadow.bind(program_, light);
-    glEnable(GL_DEPTH_TEST);
-    model.draw(program_);
-    glDisable(GL_DEPTH_TEST);
+    program_.set("slant_lift", slant_lift);
+    {
+        const ReversedDepth depth;
+        model.draw(program_);
+    }
 
-    // Resolve the samples into pixels.
-    target_.bind();
-    resolve_.use();
-    diffuse_.bind(0);
-    after_.bind(1);
-    specular_.bind(2);
-    depth_mm_.bind(3);
-    resolve_.set("samples", samples_);
-    draw_screen();
+    if (samples_) {
+        resolve();
+    }
+    frame_.level = ShadowMap::level(light);
     frame_.rect = visible_rect(camera, model.bounds());
+    find_depths(frame_, camera, model.bounds());
     return frame_;
 }
 

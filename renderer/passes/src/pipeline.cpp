@@ -152,13 +152,13 @@ struct Pipeline::State {
     const gl::Texture& scattered(Shader shader, const scene::Camera& camera, const Light& light) {
         const LitFrame& frame = lit->frame();
         const gl::Texture* result = &frame.diffuse;
+        if (!screen_space && shader != Shader::no_sss) {
+            timed("set-up", [&] {
+                screen_space =
+                    std::make_unique<ScreenSpace>(camera.width, camera.height, look.profile, methods);
+            });
+        }
         if (shader == Shader::ss_full || shader == Shader::ss_jittered) {
-            if (!screen_space) {
-                timed("set-up", [&] {
-                    screen_space =
-                        std::make_unique<ScreenSpace>(camera.width, camera.height, look.profile, methods);
-                });
-            }
             if (shader == Shader::ss_full) {
                 timed("ss_full", [&] { result = &screen_space->full(frame, camera); });
             } else {
@@ -173,7 +173,11 @@ struct Pipeline::State {
             } else {
                 reused.emplace_back("ts irradiance and blurs");
             }
-            timed("ts gather", [&] { result = &texture_space->gather(model, frame, camera); });
+            const gl::Texture* narrowest = &frame.diffuse;
+            if (!methods.ts.unblurred_first) {
+                timed("ts narrowest", [&] { narrowest = &screen_space->narrowest(frame, camera); });
+            }
+            timed("ts gather", [&] { result = &texture_space->gather(model, frame, *narrowest, camera); });
         }
         return *result;
     }
@@ -183,7 +187,7 @@ Pipeline::Pipeline(const scene::Model& model, const Look& look, const Methods& m
     gl::require_opengl_45();
     require_limit("samples", look.samples, GL_MAX_COLOR_TEXTURE_SAMPLES);
     require_limit("samples", look.samples, GL_MAX_DEPTH_TEXTURE_SAMPLES);
-    require_limit("ts map size", methods.ts_map_size, GL_MAX_TEXTURE_SIZE);
+    require_limit("ts map size", methods.ts.map_size, GL_MAX_TEXTURE_SIZE);
     state_ = std::make_unique<State>(model, look, methods);
 }
 

@@ -3,12 +3,14 @@
 
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include <renderer/gl/objects.h>
 #include <renderer/passes/pipeline.h>
 
 #include "lit_frame.h"
+#include "screen_blur.h"
 
 namespace renderer::passes {
 
@@ -17,29 +19,36 @@ class ScreenSpace {
 public:
     ScreenSpace(int width, int height, const optics::Profile& profile, const Methods& methods);
 
-    /// Six Gaussians, two 1D passes each, one blurring the result of the other; then their weighted sum.
+    /// The profile's Gaussians, two 1D passes each, one blurring the result of the other, and their weighted
+    /// sum.
     const gl::Texture& full(const LitFrame& lit, const scene::Camera& camera);
-    /// Hable's jittered kernel in a single pass.
+    /// A kernel of few taps in a single pass.
     const gl::Texture& jittered(const LitFrame& lit, const scene::Camera& camera);
+    /// The lit frame blurred by the profile's narrowest Gaussian, where that can be seen.
+    const gl::Texture& narrowest(const LitFrame& lit, const scene::Camera& camera);
 
 private:
-    void find_stretch(const LitFrame& lit, const scene::Camera& camera, const Stretch& stretch);
+    /// The same at half the resolution, for wide Gaussians.
+    struct Half {
+        Half(int width, int height, const FullMethod& method);
+        gl::Program halve, enlarge;
+        gl::Texture source, depth_mm;
+        gl::Framebuffer target;
+        ScreenSurface surface;
+        ScreenBlur blur;
+    };
+    void find_surface(const LitFrame& lit, const scene::Camera& camera);
+    void begin_half(const gl::Texture& source, const LitFrame& lit, const scene::Camera& camera);
+    void end_half(const LitFrame& lit);
 
     Methods methods_;
-    std::vector<float> sigmas_mm_;
-    std::vector<glm::vec3> weights_;
-    gl::Program stretch_, blur_, jittered_, sum_;
-    gl::Texture px_per_mm_, half_blurred_, scattered_;
-    std::vector<gl::Texture> gaussians_;
-    gl::Framebuffer stretch_target_, half_target_, scattered_target_;
-    std::vector<gl::Framebuffer> gaussian_targets_;
+    optics::Profile profile_;
+    ScreenSurface surface_;
+    ScreenBlur blur_;
+    std::unique_ptr<Half> half_;
+    gl::Program jittered_;
+    gl::Texture scattered_;
+    gl::Framebuffer scattered_target_;
 };
-
-/// The weights of a profile as uniforms.
-std::vector<glm::vec3> profile_weights(const optics::Profile& profile);
-
-/// Bind a framebuffer and clear it, then let only the rectangle be drawn until end_rect().
-void begin_rect(const gl::Framebuffer& target, const PixelRect& rect);
-void end_rect();
 
 } // namespace renderer::passes

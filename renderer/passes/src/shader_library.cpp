@@ -3,6 +3,7 @@
 
 #include "shader_library.h"
 
+#include <algorithm>
 #include <sstream>
 #include <vector>
 
@@ -56,8 +57,19 @@ gl::Program load_program(const std::string& vertex_file, const std::string& frag
     return gl::Program({stage(GL_VERTEX_SHADER, vertex_file), stage(GL_FRAGMENT_SHADER, fragment_file)});
 }
 
-gl::Program load_screen_program(const std::string& fragment_file) {
-    return load_program("screen.vert", fragment_file);
+gl::Program load_screen_program(const std::string& fragment_file, const Defines& defines) {
+    gl::Stage fragment = stage(GL_FRAGMENT_SHADER, fragment_file);
+    std::string lines;
+    for (const auto& [name, value] : defines) {
+        lines += fmt::format("#define {} {}\n", name, value);
+    }
+    // After the line #version, which must stand first.
+    const std::size_t after_version = fragment.source.find('\n', fragment.source.find("#version")) + 1;
+    const auto line = std::count(fragment.source.begin(),
+                                 fragment.source.begin() + static_cast<std::ptrdiff_t>(after_version), '\n') +
+                      1;
+    fragment.source.insert(after_version, lines + fmt::format("#line {} 0\n", line));
+    return gl::Program({stage(GL_VERTEX_SHADER, "screen.vert"), fragment});
 }
 
 void draw_screen() { glDrawArrays(GL_TRIANGLES, 0, 3); }

@@ -17,8 +17,11 @@ const std::map<std::string, std::string>& shader_sources();
 /// file. Throws support::Failure that names file, stage and line.
 gl::Program load_program(const std::string& vertex_file, const std::string& fragment_file);
 
+/// Values that a fragment shader finds #defined.
+using Defines = std::map<std::string, int>;
+
 /// A program that runs `fragment_file` over the whole viewport.
-gl::Program load_screen_program(const std::string& fragment_file);
+gl::Program load_screen_program(const std::string& fragment_file, const Defines& defines = {});
 
 /// Draw one triangle that covers the viewport, with any vertex array bound.
 void draw_screen();

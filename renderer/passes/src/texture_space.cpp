@@ -4,27 +4,40 @@
 #include "texture_space.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
-#include <renderer/optics/kernel.h>
 #include <support/error.h>
 
-#include "screen_space.h"
+#include "screen_blur.h"
 #include "shader_library.h"
 #include "uv_charts.h"
 
 namespace renderer::passes {
 namespace {
 
+std::vector<glm::vec3> profile_weights(const optics::Profile& profile) {
+    std::vector<glm::vec3> weights;
+    for (const optics::Gaussian& g : profile.gaussians) {
+        weights.emplace_back(g.weight);
+    }
+    return weights;
+}
+
 // Charts grow by this share of the map's side, so that filters and mipmaps never see beyond them.
 constexpr int dilation_share = 64;
 // Coarser mipmap levels than this would mix charts that the dilation keeps apart.
 constexpr int gather_levels = 4;
+// Taps to each side of uv_blur.frag.
+constexpr int blur_reach = 3;
+// Variance, texels squared, of reading a map halfway between texels, on average over all places.
+constexpr float bilinear_variance = 1.0f / 6;
 // A share of doubly covered texels above this is more than the edges of triangles can make.
 constexpr double tolerated_overlap = 0.002;
 
-gl::Texture map_texture(int size, int levels = 1) {
-    gl::Texture texture(GL_RGBA16F, size, size, levels);
+gl::Texture map_texture(GLenum format, int size, int levels = 1) {
+    gl::Texture texture(format, size, size,
+                        std::min(levels, static_cast<int>(std::bit_width(static_cast<unsigned>(size)))));
     texture.filter(levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR, GL_LINEAR);
     return texture;
 }
@@ -33,29 +46,35 @@ gl::Texture map_texture(int size, int levels = 1) {
 
 TextureSpace::TextureSpace(const scene::Model& source, const GpuModel& model, const optics::Profile& profile,
                            const Methods& methods, int width, int height, int samples)
-    : methods_(methods), size_(methods.ts_map_size), samples_(samples), weights_(profile_weights(profile)),
-      geometry_(load_program("unwrapped.vert", "uv_geometry.frag")),
+    : size_(methods.ts.map_size), samples_(samples), unit_mm_(model.extent_mm() / static_cast<float>(size_)),
+      weights_(profile_weights(profile)), geometry_(load_program("unwrapped.vert", "uv_geometry.frag")),
       irradiance_(load_program("unwrapped.vert", "irradiance.frag")),
       dilate_(load_screen_program("dilate.frag")), blur_(load_screen_program("uv_blur.frag")),
       gather_(load_program("surface.vert", "gather.frag")),
-      resolve_(load_screen_program("resolve_color.frag")), sum_(load_screen_program("weighted_sum.frag")),
-      raw_(map_texture(size_)), half_blurred_(map_texture(size_)), irradiance_map_(map_texture(size_)),
-      gathered_samples_(GL_RGBA16F, width, height, 1, samples),
-      depth_(GL_DEPTH_COMPONENT32F, width, height, 1, samples), gathered_(GL_RGBA16F, width, height),
-      scattered_(GL_RGBA16F, width, height), gather_target_({&gathered_samples_}, &depth_),
+      resolve_(load_screen_program("resolve_color.frag")),
+      add_narrowest_(load_screen_program("add_narrowest.frag")), ratios_(blur_reach),
+      nearest_(GL_NEAREST, GL_CLAMP_TO_BORDER), raw_(map_texture(light_format(), size_)),
+      half_blurred_(map_texture(light_format(), size_)), irradiance_map_(map_texture(light_format(), size_)),
+      gathered_samples_(light_format(), width, height, 1, samples),
+      depth_(GL_DEPTH_COMPONENT32F, width, height, 1, samples), gathered_(light_format(), width, height),
+      scattered_(light_format(), width, height), gather_target_({&gathered_samples_}, &depth_),
       gathered_target_({&gathered_}), scattered_target_({&scattered_}) {
-    // Where the narrowest Gaussian is replaced by the final pass's lighting, the cascade starts at the
-    // second.
+    gathered_target_.clear_color(0, glm::vec4(0)); // only the skin's rectangle is drawn
+    scattered_target_.clear_color(0, glm::vec4(0));
+
+    // The cascade starts at the second Gaussian.
     std::vector<optics::Gaussian> blurred = profile.gaussians;
-    if (methods.ts_unblurred_first) {
-        unblurred_weight_ = weights_.front();
+    narrowest_weight_ = weights_.front();
+    if (blurred.size() > 1) {
         weights_.erase(weights_.begin());
         blurred.erase(blurred.begin());
+    } else {
+        narrowest_weight_ = glm::vec3(0); // a single Gaussian is blurred in the map
     }
     for (const double sigma : optics::cascade_sigmas_mm({profile.name, blurred})) {
         sigmas_mm_.push_back(static_cast<float>(sigma));
     }
-    blur_.set("taps", std::vector<float>(optics::gaussian_taps.begin(), optics::gaussian_taps.end()));
+    blur_.set("table_end", ratios_.end);
     blur_.set("widest_px", 0.125f * static_cast<float>(size_));
 
     for (const scene::Mesh& mesh : source.meshes) {
@@ -132,6 +151,7 @@ TextureSpace::Map TextureSpace::unwrapped(const scene::Model& source, const GpuM
     glEnablei(GL_BLEND, 2);
     glBlendFunci(2, GL_ONE, GL_ONE);
     geometry_.use();
+    geometry_.set("unit_mm", unit_mm_);
     geometry_.set("uv_origin", map.uv_origin);
     geometry_.set("uv_scale", map.uv_scale);
     glDisable(GL_CULL_FACE);
@@ -177,8 +197,8 @@ TextureSpace::Map TextureSpace::unwrapped(const scene::Model& source, const GpuM
 
     // Blur the stretch map along with what will be blurred: blur k uses the stretch blurred k times.
     for (std::size_t k = 0; k < sigmas_mm_.size(); ++k) {
-        map.stretch.push_back(map_texture(size_));
-        map.gaussians.push_back(map_texture(size_, gather_levels));
+        map.stretch.push_back(map_texture(GL_RGBA16F, size_));
+        map.gaussians.push_back(map_texture(light_format(), size_, gather_levels));
     }
     const gl::Framebuffer first({&map.stretch[0]});
     first.bind();
@@ -195,7 +215,11 @@ TextureSpace::Map TextureSpace::unwrapped(const scene::Model& source, const GpuM
 void TextureSpace::blur(const gl::Texture& source, const gl::Texture& target, const Map& map,
                         std::size_t step) {
     blur_.use();
-    blur_.set("sigma_mm", sigmas_mm_[step]);
+    blur_.set("sigma", sigmas_mm_[step] / unit_mm_);
+    blur_.set("gather_variance", step == 0 ? bilinear_variance : 0.0f);
+    ratios_.texture.bind(3);
+    nearest_.bind(0);
+    nearest_.bind(2);
     map.stretch[step].bind(1);
     map.chart.bind(2);
     const gl::Framebuffer horizontal({&half_blurred_});
@@ -208,6 +232,8 @@ void TextureSpace::blur(const gl::Texture& source, const gl::Texture& target, co
     half_blurred_.bind(0);
     blur_.set("axis", glm::ivec2(0, 1));
     draw_screen();
+    gl::Sampler::unbind(0);
+    gl::Sampler::unbind(2);
 }
 
 void TextureSpace::light(const GpuModel& model, const SurfaceLook& look, const Light& light,
@@ -246,17 +272,8 @@ void TextureSpace::light(const GpuModel& model, const SurfaceLook& look, const L
     }
 }
 
-const gl::Texture& TextureSpace::gather(const GpuModel& model, const LitFrame& lit,
-                                        const scene::Camera& camera) {
-    // Sum the Gaussians at each sample of the visible surface.
-    gather_target_.bind();
-    gather_target_.clear_color(0, glm::vec4(0));
-    gather_target_.clear_depth(1);
-    gather_.use();
-    set_camera(gather_, camera, model.bounds());
-    gather_.set("weights", weights_);
-    gather_.set("count", static_cast<int>(weights_.size()));
-    glEnable(GL_DEPTH_TEST);
+void TextureSpace::draw_gathered(const GpuModel& model) const {
+    const ReversedDepth depth;
     for (const Map& map : maps_) {
         model.bind_material(gather_, map.material, true); // for its culling
         for (std::size_t k = 0; k < map.gaussians.size(); ++k) {
@@ -271,7 +288,20 @@ const gl::Texture& TextureSpace::gather(const GpuModel& model, const LitFrame& l
         }
     }
     glDisable(GL_CULL_FACE);
-    glDisable(GL_DEPTH_TEST);
+}
+
+const gl::Texture& TextureSpace::gather(const GpuModel& model, const LitFrame& lit,
+                                        const gl::Texture& narrowest, const scene::Camera& camera) {
+    // Sum the Gaussians at each sample of the visible surface.
+    gather_target_.bind();
+    gather_target_.clear_color(0, glm::vec4(0));
+    gather_target_.clear_depth(0);
+    gather_.use();
+    set_camera(gather_, model.seen_by(camera), model.bounds());
+    gather_.set("weights", weights_);
+    gather_.set("count", static_cast<int>(weights_.size()));
+    lit.diffuse.bind(6);
+    draw_gathered(model);
     const gl::Texture* gathered = &gathered_samples_;
     if (samples_ > 1) {
         begin_rect(gathered_target_, lit.rect);
@@ -282,16 +312,11 @@ const gl::Texture& TextureSpace::gather(const GpuModel& model, const LitFrame& l
         end_rect();
         gathered = &gathered_;
     }
-    if (!methods_.ts_unblurred_first) {
-        return *gathered;
-    }
 
-    // Add the narrowest Gaussian: the lit frame itself.
     begin_rect(scattered_target_, lit.rect);
-    sum_.use();
-    sum_.set("weights", std::vector<glm::vec3>{unblurred_weight_, glm::vec3(1)});
-    sum_.set("count", 2);
-    lit.diffuse.bind(0);
+    add_narrowest_.use();
+    add_narrowest_.set("narrowest_weight", narrowest_weight_);
+    narrowest.bind(0);
     gathered->bind(1);
     draw_screen();
     end_rect();

@@ -112,4 +112,30 @@ void compute_tangents(Mesh& mesh) {
     }
 }
 
+void mend_directions(Mesh& mesh) {
+    const auto points = [](const glm::vec3& v) { return glm::dot(v, v) > 1e-12f; }; // false for NaN
+    const auto all_point = [&](auto member) {
+        return std::all_of(mesh.vertices.begin(), mesh.vertices.end(),
+                           [&](const Vertex& vertex) { return points(glm::vec3(vertex.*member)); });
+    };
+    if (!all_point(&Vertex::normal)) {
+        Mesh computed = mesh;
+        compute_normals(computed);
+        for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+            if (!points(mesh.vertices[i].normal)) {
+                mesh.vertices[i].normal = computed.vertices[i].normal;
+            }
+        }
+    }
+    if (!all_point(&Vertex::tangent)) {
+        Mesh computed = mesh;
+        compute_tangents(computed);
+        for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+            if (!points(glm::vec3(mesh.vertices[i].tangent))) {
+                mesh.vertices[i].tangent = computed.vertices[i].tangent;
+            }
+        }
+    }
+}
+
 } // namespace renderer::scene

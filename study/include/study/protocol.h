@@ -40,7 +40,7 @@ struct LightSettings {
     std::vector<int> azimuths_deg; ///< 0 in front of the face, turning about +Y; 0 ... 359
     Rgb irradiance{};              ///< of a surface facing the light, linear Rec. 709
     Rgb ambient{};                 ///< irradiance from the upper hemisphere, linear Rec. 709
-    int shadow_map_size = 512;     ///< texels
+    int shadow_map_size = 4096;    ///< texels
     double shadow_softness_mm = 0; ///< standard deviation of the shadow filter
 };
 
@@ -58,8 +58,8 @@ struct BloomSettings {
 };
 
 struct TextureSpaceSettings {
-    int map_size = 1024;         ///< texels of the irradiance map's side
-    bool unblurred_first = true; ///< the narrowest Gaussian is replaced by the lighting of the final pass
+    int map_size = 1024;          ///< texels of the irradiance map's side
+    bool unblurred_first = false; ///< the lighting of the final pass stands for the narrowest Gaussian
 };
 
 /// Kernel widths on the screen [Jimenez2009, Eqs. 2-3]: physical, from millimetres, unless published values
@@ -70,12 +70,28 @@ struct StretchSettings {
 };
 
 struct JitteredSettings {
+    int taps = 13;
     double unit_mm = 0; ///< length of one unit of Hable's kernel
+    bool exact_foreshortening = true;
     StretchSettings stretch;
 };
 
 struct FullSettings {
+    int taps = 7;
+    bool published_taps = false;
+    bool exact_foreshortening = true;
+    bool reject_gaps = true;
+    int target_bits = 0; ///< 8, 16, 32; 0: what suits the driver
+    bool half_resolution = false;
     StretchSettings stretch;
+};
+
+/// The ground truth on the CPU.
+struct ReferenceSettings {
+    int samples_per_side = 4;     ///< rays a pixel: the square of this
+    double cells_per_sigma = 1.2; ///< surface cells per standard deviation of a Gaussian
+    std::string profile; ///< empty: the skin's; else a profile of the skin's kind, dipole_<medium> or burley
+    Rgb burley_albedo{}, burley_mean_free_path_mm{};
 };
 
 /// What a model file does not tell by itself; paths are relative to the model's folder.
@@ -87,6 +103,12 @@ struct ModelSettings {
     double longest_edge_mm = 3; ///< the mesh is rounded off until its mean edge is no longer than this
     double head_height_mm = 232;
     std::optional<std::array<double, 3>> head_centre_mm; ///< else the middle of the top head_height_mm
+};
+
+/// The screen that participants see, and from where.
+struct DisplaySettings {
+    double width_mm = 0, width_px = 0; ///< of the whole screen
+    double distance_mm = 0;            ///< from the eyes to the screen
 };
 
 struct SessionTexts {
@@ -116,8 +138,10 @@ struct Protocol {
     TextureSpaceSettings ts;
     JitteredSettings ss_jittered;
     FullSettings ss_full;
+    ReferenceSettings reference;
     ModelSettings model;
     SessionSettings session;
+    std::optional<DisplaySettings> display;
 };
 
 /// Read and check a protocol file. Throws support::InputError that names file, line, field, expectation,

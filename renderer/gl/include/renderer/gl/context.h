@@ -30,6 +30,8 @@ struct DriverInfo {
     std::string renderer, vendor, version;
 };
 DriverInfo driver_info();
+/// Whether the current context draws on the CPU.
+bool runs_on_cpu();
 
 /// Throws support::Failure, with what was found, unless the current context is OpenGL 4.5 core or later.
 void require_opengl_45();

@@ -37,6 +37,7 @@ private:
 };
 
 void delete_texture(GLuint id);
+void delete_sampler(GLuint id);
 void delete_framebuffer(GLuint id);
 void delete_buffer(GLuint id);
 void delete_vertex_array(GLuint id);
@@ -62,6 +63,17 @@ public:
 private:
     Handle<delete_texture> handle_;
     int width_ = 0, height_ = 0;
+};
+
+/// How a texture unit reads: takes the place of the texture's own filter and wrap mode while bound.
+class Sampler {
+public:
+    Sampler(GLint filter, GLint wrap);
+    void bind(GLuint unit) const { glBindSampler(unit, handle_.id()); }
+    static void unbind(GLuint unit) { glBindSampler(unit, 0); }
+
+private:
+    Handle<delete_sampler> handle_;
 };
 
 /// A framebuffer over textures that outlive it; complete, or the constructor throws support::Failure.
@@ -123,6 +135,7 @@ public:
     void set(const char* name, const glm::ivec2& value) const;
     void set(const char* name, const glm::vec2& value) const;
     void set(const char* name, const glm::vec3& value) const;
+    void set(const char* name, const glm::mat3& value) const;
     void set(const char* name, const glm::mat4& value) const;
     void set(const char* name, const std::vector<float>& values) const;
     void set(const char* name, const std::vector<glm::vec2>& values) const;

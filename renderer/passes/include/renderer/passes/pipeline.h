@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -11,10 +10,9 @@
 #include <string_view>
 #include <vector>
 
-#include <glm/glm.hpp>
-
-#include <renderer/optics/profile.h>
+#include <renderer/scene/appearance.h>
 #include <renderer/scene/camera.h>
+#include <renderer/scene/frame.h>
 #include <renderer/scene/model.h>
 
 namespace renderer::passes {
@@ -26,30 +24,9 @@ enum class Shader { no_sss, ts, ss_jittered, ss_full };
 std::string_view shader_name(Shader shader);
 std::optional<Shader> shader_of(std::string_view name);
 
-/// A light so far away that its rays are parallel.
-struct Light {
-    glm::vec3 direction{0, 0, 1};    ///< unit vector towards the light
-    glm::vec3 irradiance{0};         ///< of a surface that faces it, linear Rec. 709
-    glm::vec3 ambient_irradiance{0}; ///< from above, of a surface that faces up; none from below
-    int shadow_map_size = 512;       ///< texels a side
-    float shadow_softness_mm = 1;    ///< standard deviation of the filter at the shadow's edge
-
-    bool operator==(const Light&) const = default;
-};
-
-/// All that is the same for the four shaders, so that only the method of scattering differs.
-struct Look {
-    optics::Profile profile;
-    float texture_mix = 0.5f; ///< exponent of the albedo before scattering; 1 minus it is left for after
-    float specular_intensity = 0.18f; ///< rho_s
-    float fresnel_f0 = 0.028f;
-    float roughness = 0.3f;   ///< Beckmann slope where the model has none
-    float bloom_strength = 0; ///< share of the light that the lens spreads, 0 to 1
-    float bloom_sigma_px = 8; ///< standard deviation
-    float exposure = 1;
-    glm::vec3 background{0}; ///< linear Rec. 709
-    int samples = 4;         ///< MSAA samples a pixel
-};
+using scene::Frame;
+using scene::Light;
+using scene::Look;
 
 /// Kernel widths on the screen [Jimenez2009, Eqs. 2-3].
 struct Stretch {
@@ -57,21 +34,55 @@ struct Stretch {
     std::optional<float> beta;  ///< published value, pixels; else the physical value
 };
 
-/// What is peculiar to each method.
-struct Methods {
-    int ts_map_size = 1024;         ///< texels of the irradiance map's side
-    bool ts_unblurred_first = true; ///< lighting of the final pass stands for the narrowest Gaussian
-    float jitter_unit_mm = 0.527f;  ///< length of one unit of Hable's kernel
-    Stretch jitter_stretch, full_stretch;
+/// Irradiance in texture space [DEonLuebke2007].
+struct TextureSpaceMethod {
+    int map_size = 1024; ///< texels of the irradiance map's side
+    /// The published form: the lighting of the final pass stands for the narrowest Gaussian. Else it is that
+    /// lighting, blurred on the screen.
+    bool unblurred_first = false;
 };
 
-/// A finished image, rows from the top down.
-struct Frame {
-    int width = 0, height = 0;
-    std::vector<std::uint8_t> srgb; ///< RGB, 8 bits, as participants see it
-    std::vector<float> linear; ///< RGBA, linear Rec. 709, exposed, before encoding; A is the head's coverage
-    std::vector<std::string> passes_run;    ///< nodes computed for this frame
-    std::vector<std::string> passes_reused; ///< nodes whose results an earlier frame had left
+/// How a surface that is tilted away from the camera shortens kernels on the screen.
+enum class Foreshortening {
+    published, ///< 1 / (1 + |tan|) along x and along y [Jimenez2009, Eqs. 2-3]
+    exact,     ///< by the surface's metric: right for planes of any tilt, in perspective
+};
+
+/// One pass over the screen with few taps, turned at random in each pixel.
+struct JitteredMethod {
+    int taps = 13;          ///< 13: Hable's kernel; 25 or 49: taps that follow the profile
+    float unit_mm = 0.527f; ///< length of one unit of Hable's kernel
+    Foreshortening foreshortening = Foreshortening::exact;
+    Stretch stretch;
+};
+
+/// Gaussians on the screen [Jimenez2009, JimenezGutierrez2010].
+struct FullMethod {
+    int taps = 7; ///< of each 1D Gaussian: odd, 7 to 25, over three standard deviations to both sides
+    /// The published seven weights at whole standard deviations, whose variance is 1.08 times too large; else
+    /// weights and places that give each Gaussian its variance, narrower than a pixel or not.
+    bool published_taps = false;
+    Foreshortening foreshortening = Foreshortening::exact;
+    bool reject_gaps = true;      ///< weigh taps by their distance in depth from the surface's plane, too
+    int target_bits = 0;          ///< 8, 16 or 32 a channel; 0: 16, or 32 where the driver is a CPU
+    bool half_resolution = false; ///< wide Gaussians at half the resolution
+    Stretch stretch;              ///< published foreshortening alone reads beta
+};
+
+/// The form of the 2009 and 2010 papers.
+constexpr FullMethod published_full() {
+    FullMethod method;
+    method.published_taps = true;
+    method.foreshortening = Foreshortening::published;
+    method.reject_gaps = false;
+    return method;
+}
+
+/// What is peculiar to each method.
+struct Methods {
+    TextureSpaceMethod ts;
+    JitteredMethod jittered;
+    FullMethod full;
 };
 
 /// Seconds spent in each kind of node since the pipeline was made, and how often it ran.

@@ -15,9 +15,12 @@ struct Camera {
     float fov_rad = 0.35f; ///< vertical
     int width = 0, height = 0;
 
-    /// World to view; the camera looks along -Z of the view, +Y up.
+    /// Directions from world to view; the camera looks along -Z of the view, +Y up.
+    glm::mat3 rotation() const;
+    /// Places from world to view.
     glm::mat4 view() const;
-    /// View to clip, near and far planes just around the bounds.
+    /// View to clip: x and y as usual, depth reversed, from 1 at a plane just before the bounds to 0 at
+    /// infinity.
     glm::mat4 projection(const Bounds& scene) const;
     /// Pixels per millimetre of a facing surface at a depth of 1 mm: (height / 2) cot(fov / 2).
     float focal_px() const;

@@ -74,6 +74,9 @@ void compute_normals(Mesh& mesh);
 /// Tangents along +u, orthogonal to the normals; any orthogonal direction where the UVs are degenerate.
 void compute_tangents(Mesh& mesh);
 
+/// Replace normals and tangents that have no direction, as files in the wild have, by computed ones.
+void mend_directions(Mesh& mesh);
+
 /// Round off the facets of a coarse mesh: split each triangle into four until the mean edge is at most
 /// `longest_edge_mm`. New vertices lie on the curved PN triangles [Vlachos2001], so that the
 /// surface goes through the old vertices with their normals, without cracks; creases (normals that differ at
