@@ -57,7 +57,8 @@ bool ViewErrors::ordered() const {
     return full < jittered && jittered < none && full > 0;
 }
 
-std::vector<ViewErrors> figure9(const study::Protocol& protocol, const std::filesystem::path& folder) {
+std::vector<ViewErrors> figure9(const study::Protocol& protocol, const std::filesystem::path& folder,
+                                const std::string& truth) {
     std::vector<ViewErrors> result;
     for (const study::Distance& distance : protocol.camera.distances) {
         for (const int azimuth : protocol.light.azimuths_deg) {
@@ -65,9 +66,9 @@ std::vector<ViewErrors> figure9(const study::Protocol& protocol, const std::file
                 return read(folder / (study::stimulus_name(shader, distance.name, azimuth) + ".exr"));
             };
             ViewErrors errors{fmt::format("{}_{:03d}", distance.name, azimuth), {}};
-            const LinearImage ts = image("ts");
+            const LinearImage true_image = image(truth);
             for (const std::string shader : {"no_sss", "ss_jittered", "ss_full"}) {
-                errors.rmse[shader] = rmse(image(shader), ts);
+                errors.rmse[shader] = rmse(image(shader), true_image);
             }
             result.push_back(std::move(errors));
         }

@@ -10,15 +10,17 @@
 
 #include <study/protocol.h>
 
-/// Errors as in Figure 9 of [Jimenez2009]: how far each shader is from `ts` in one view.
+/// Errors as in Figure 9 of [Jimenez2009]: how far each shader is from the truth in one view.
 struct ViewErrors {
     std::string view; ///< "<distance>_<azimuth>"
     std::map<std::string, double>
         rmse; ///< by shader; over the head's pixels, linear light, mean of the channels' squares
 
-    /// As the paper found: `ss_full` nearest to `ts`, `no_sss` farthest.
+    /// As the paper found: `ss_full` nearest, `no_sss` farthest.
     bool ordered() const;
 };
 
-/// The errors of every view of a protocol, from the linear images in a folder.
-std::vector<ViewErrors> figure9(const study::Protocol& protocol, const std::filesystem::path& folder);
+/// The errors of every view of a protocol, from the linear images in a folder. The paper takes `ts` for the
+/// truth.
+std::vector<ViewErrors> figure9(const study::Protocol& protocol, const std::filesystem::path& folder,
+                                const std::string& truth = "ts");
