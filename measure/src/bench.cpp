@@ -111,7 +111,7 @@ void add_bench(CLI::App& app) {
     command
         ->add_option("--rounds", arguments->request.rounds,
                      "Timed frames of each setting and view; default: 9, or 3 with --quick")
-        ->check(CLI::Range(1, 10000))
+        ->check(CLI::Range(1, 200))
         ->type_name("N");
     command->add_flag("--quick", arguments->request.quick,
                       "A quarter of the images' and the shadow map's width and height, fewer settings, 3 "

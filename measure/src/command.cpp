@@ -51,7 +51,7 @@ EXIT STATUS
 EXAMPLES
   skin2afc compare out/a/ts_zoom_000.png out/b/ts_zoom_000.png
   skin2afc compare out/scan out/scan --against reference --out out/errors
-  skin2afc compare out/new out/old --protocol protocols/jimenez2009.toml)";
+  skin2afc compare out/new out/old --screen-width-mm 598 --screen-width-px 2560 --viewing-distance-mm 600)";
 
 /// What the command line says.
 struct Arguments {

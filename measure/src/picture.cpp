@@ -99,9 +99,16 @@ void check_spec(const OIIO::ImageSpec& spec, const std::string& name) {
     }
 }
 
+// More channels than any renderer writes beside colour, in one file.
+constexpr int most_channels = 64;
+
 template <typename T>
 std::vector<T> read_values(OIIO::ImageInput& input, OIIO::TypeDesc type, const std::string& name) {
     const OIIO::ImageSpec& spec = input.spec();
+    if (spec.nchannels > most_channels) {
+        throw support::input_error("{}: expected at most {} channels, found {}", name, most_channels,
+                                   spec.nchannels);
+    }
     std::vector<T> values(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) *
                           static_cast<std::size_t>(spec.nchannels));
     if (!input.read_image(0, 0, 0, spec.nchannels, type, values.data())) {

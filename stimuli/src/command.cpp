@@ -32,12 +32,14 @@ SHADERS
   ts           texture space (d'Eon and Luebke 2007): six Gaussians over an irradiance map
   ss_jittered  screen space, Hable's 13 jittered taps
   ss_full      screen space, six Gaussians (Jimenez, Sundstedt and Gutierrez 2009)
-  reference    the ground truth, on the CPU: shadows by rays, scattering as a sum over the whole surface
+  reference    the ground truth, on the CPU: shadows by rays, scattering as a sum over the whole surface; rendered
+               where the protocol lists it, or by --only shader=reference
 
 EXAMPLES
   skin2afc stimuli protocols/jimenez2009.toml --out out/stimuli
   skin2afc stimuli protocols/jimenez2009.toml --out out/scan --model head.glb
   skin2afc stimuli protocols/jimenez2009.toml --out out/scan --model head.glb --only shader=ts,ss_full --only distance=zoom
+  skin2afc stimuli protocols/jimenez2009.toml --out out/scan --model head.glb --only shader=reference
 
 EXIT STATUS
   0 done; 1 rendering or writing failed; 2 bad usage or bad input, nothing was written)";

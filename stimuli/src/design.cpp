@@ -83,7 +83,9 @@ Selection selection(const std::vector<std::string>& only, const std::string& sha
         std::istringstream values(argument.substr(equals + 1) + ",");
         for (std::string value; std::getline(values, value, ',');) {
             if (key == "shader") {
-                check(protocol.shaders, value, key, value);
+                if (value != reference_shader) {
+                    check(protocol.shaders, value, key, value);
+                }
                 result.shaders.push_back(value);
             } else if (key == "distance") {
                 check(distance_names(protocol), value, key, value);

@@ -20,6 +20,9 @@ struct Item {
     std::string name() const { return study::stimulus_name(shader, distance.name, azimuth_deg); }
 };
 
+/// The ground truth, which can be asked for though a protocol does not list it.
+constexpr const char* reference_shader = "reference";
+
 /// All images of a protocol, ordered so that what shares a light, then a camera, stands together.
 std::vector<Item> design(const study::Protocol& protocol);
 
@@ -33,7 +36,8 @@ struct Selection {
 };
 
 /// From "--only KEY=V[,V...]" arguments and a "--shard I/N" argument (empty: all).
-/// Throws support::InputError for a key or value that the protocol does not have.
+/// Throws support::InputError for a key or value that the protocol does not have; it need not have the
+/// reference.
 Selection selection(const std::vector<std::string>& only, const std::string& shard,
                     const study::Protocol& protocol);
 

@@ -111,10 +111,32 @@ private:
         }
     }
 
+    /// A protocol that does not list the reference has its images if they are asked for by name, or already
+    /// there.
+    study::Protocol protocol_with_reference(const Manifest& manifest) const {
+        study::Protocol protocol = protocol_;
+        const auto entries = manifest.entries();
+        const bool there = std::any_of(entries.begin(), entries.end(), [](const auto& entry) {
+            return entry.second.value("shader", "") == reference_shader;
+        });
+        if (!listed(reference_shader) && (asked_for(reference_shader) || there)) {
+            protocol.shaders.emplace_back(reference_shader);
+        }
+        return protocol;
+    }
+    bool listed(const std::string& shader) const {
+        return std::find(protocol_.shaders.begin(), protocol_.shaders.end(), shader) !=
+               protocol_.shaders.end();
+    }
+    bool asked_for(const std::string& shader) const {
+        return std::find(selection_.shaders.begin(), selection_.shaders.end(), shader) !=
+               selection_.shaders.end();
+    }
+
     /// Decide for each image whether it must be rendered.
     void plan(const Manifest& manifest) {
         const scene::HeadFrame head = head_frame(protocol_, model_);
-        items_ = design(protocol_);
+        items_ = design(protocol_with_reference(manifest));
         const auto entries = manifest.entries();
         for (const Item& item : items_) {
             recipes_.push_back(recipe(item, protocol_, model_, head, report_.driver));
@@ -146,7 +168,7 @@ private:
     /// Why an image has to be rendered; "up to date" or "not selected" if it has not.
     std::string reason(const Item& item, const Recipe& recipe,
                        const std::map<std::string, Json>& entries) const {
-        if (!selection_.keeps(item, protocol_)) {
+        if (!selection_.keeps(item, protocol_) || !(listed(item.shader) || asked_for(item.shader))) {
             return "not selected";
         }
         if (request_.force) {
@@ -205,6 +227,7 @@ private:
             scene::Frame frame =
                 recipe.shader ? pipeline_->render(*recipe.shader, recipe.camera, recipe.light, request_.exr)
                               : reference_->render(recipe.camera, recipe.light, request_.exr);
+            references_rendered_ += recipe.shader ? 0 : 1;
             outcome.rendered = true;
             outcome.milliseconds = 1000 * seconds_since(start);
             outcome.passes_run = frame.passes_run;
@@ -221,7 +244,7 @@ private:
         }
         if (reference_) {
             for (const auto& [stage, seconds] : reference_->seconds()) {
-                report_.costs["reference: " + stage] = {seconds, 1};
+                report_.costs[stage] = {seconds, references_rendered_};
             }
         }
         progress_.reset();
@@ -278,7 +301,7 @@ private:
         for (const Item& item : items_) {
             const bool there =
                 entries.contains(item.name()) && fs::exists(request_.out / (item.name() + ".png"));
-            report_.missing += there ? 0 : 1;
+            report_.missing += there || !listed(item.shader) ? 0 : 1;
         }
         if (report_.missing > 0) {
             return;
@@ -308,6 +331,7 @@ private:
     std::map<std::string, std::string> recipe_digests_;
     std::optional<passes::Pipeline> pipeline_;
     std::optional<renderer::reference::Reference> reference_;
+    int references_rendered_ = 0;
     std::deque<Encoding> queue_;
     std::optional<support::Progress> progress_;
     SetReport report_;

@@ -182,10 +182,8 @@ ReferenceSettings read_reference(TomlTable table) {
         const auto v = table.numbers(key, 3, least, most);
         return {v[0], v[1], v[2]};
     };
-    if (burley || table.has("burley_albedo")) {
+    if (burley) { // else the two are unknown fields
         reference.burley_albedo = three("burley_albedo", 1e-3, 1);
-    }
-    if (burley || table.has("burley_mean_free_path_mm")) {
         reference.burley_mean_free_path_mm = three("burley_mean_free_path_mm", 1e-6, 1e3);
     }
     return reference;

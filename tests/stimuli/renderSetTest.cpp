@@ -294,6 +294,23 @@ TEST_F(RenderSetTest, errorsOfTheBuiltInHeadStandInTheOrderOfFigure9) {
     }
 }
 
+// A protocol need not list the reference: it is rendered by name, stays in the manifest, and is no part of
+// the set.
+TEST_F(RenderSetTest, theReferenceIsRenderedByName) {
+    const std::size_t listed = render({"shader=no_sss"}).outcomes.size();
+    const stimuli::SetReport report = render({"shader=reference", "distance=far", "azimuth=0"});
+    EXPECT_TRUE(fs::exists(out / "reference_far_000.png"));
+    EXPECT_GT(report.outcomes.size(), listed);
+    const stimuli::SetReport rest = render();
+    EXPECT_EQ(rest.missing, 0u);
+    for (const stimuli::Outcome& outcome : rest.outcomes) {
+        if (outcome.name.starts_with("reference")) {
+            EXPECT_EQ(outcome.reason, "not selected") << outcome.name;
+        }
+    }
+    EXPECT_NE(support::read_text(out / "manifest.json").find("reference_far_000.png"), std::string::npos);
+}
+
 // The same against the ground truth.
 TEST_F(RenderSetTest, shadersStandInTheOrderOfFigure9AgainstTheReference) {
     change_protocol("width = 132", "width = 660");

@@ -77,6 +77,7 @@ private:
         passes::FullMethod full = base_.full;
         for (const int taps : {7, 9, 13, 25}) {
             full.taps = taps;
+            full.published_taps = false;
             if (taps != base_.full.taps && (!quick_ || taps == 13)) {
                 add_full(fmt::format("{} taps", taps), full);
             }

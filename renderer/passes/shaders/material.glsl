@@ -78,7 +78,7 @@ vec4 shadow_weights(vec4 distance, float sigma, float reach) {
 // Share of the light that reaches the surface: percentage-closer filtering [Reeves1987] with Gaussian weights, four
 // texels at a time. Each texel is compared with the depth that the surface's own plane has there, so that the filter
 // needs no bias that grows with its reach. The filter is at least as wide as the square that the pixel covers, of which
-// the shader sees one point; and the plane is lifted by a texel, and more where the surface is seen from the side, since
+// the shader sees one point; and the plane is lifted by two texels, and more where the surface is seen from the side, since
 // there the point may lie that far beside its triangle. It is lifted towards the light: to move it sideways would move the
 // shadows.
 float visibility() {

@@ -50,6 +50,10 @@ void main() {
     // ratio^(k^2), and the ratio is the one that gives them the Gaussian's variance.
     float step_px = clamp(ceil(3.0 / float(max(REACH, 3)) * sigma_px - 0.35), 1.0, floor(widest_px) + 1.0);
     axis *= step_px;
+    // A step of a whole pixel may be longer than the kernel; however steep the lean, no step is wider than a kernel that
+    // faces the camera.
+    float facing_px = sigma_mm * kernel_px_mm / surface.x;
+    axis.x = clamp(axis.x, -1.5 * facing_px - 1.0, 1.5 * facing_px + 1.0);
     float size_of_table = float(textureSize(ratio_table, 0).x);
     float place_in_table = min(sigma_px / (step_px * table_end), 1.0) * (size_of_table - 1.0) + 0.5;
     float ratio = textureLod(ratio_table, vec2(place_in_table / size_of_table, 0.5), 0.0).r;

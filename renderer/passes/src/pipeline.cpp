@@ -9,7 +9,6 @@
 
 #include <renderer/gl/context.h>
 #include <support/error.h>
-#include <support/file.h>
 
 #include "finish.h"
 #include "gpu_model.h"
@@ -61,14 +60,6 @@ std::optional<Shader> shader_of(std::string_view wanted) {
     return std::nullopt;
 }
 
-std::string shader_code_digest() {
-    std::string all;
-    for (const auto& [name, source] : shader_sources()) {
-        all += name + '\n' + source;
-    }
-    return support::sha256(all);
-}
-
 struct Pipeline::State {
     const scene::Model& source;
     Look look;
@@ -114,13 +105,23 @@ struct Pipeline::State {
         require_limit("image width", width, GL_MAX_TEXTURE_SIZE);
         require_limit("image height", height, GL_MAX_TEXTURE_SIZE);
         timed("set-up", [&] {
-            lit = std::make_unique<LitPass>(width, height, look.samples);
-            finish = std::make_unique<Finish>(width, height, look);
+            finish.reset(); // so that a failure below is met again
             screen_space.reset();
             texture_space.reset();
             lit_view.reset();
             irradiance_light.reset();
+            lit = std::make_unique<LitPass>(width, height, look.samples);
+            finish = std::make_unique<Finish>(width, height, look);
         });
+    }
+
+    void prepare_screen_space(const scene::Camera& camera) {
+        if (!screen_space) {
+            timed("set-up", [&] {
+                screen_space =
+                    std::make_unique<ScreenSpace>(camera.width, camera.height, look.profile, methods);
+            });
+        }
     }
 
     void light_view(const scene::Camera& camera, const Light& light) {
@@ -152,12 +153,6 @@ struct Pipeline::State {
     const gl::Texture& scattered(Shader shader, const scene::Camera& camera, const Light& light) {
         const LitFrame& frame = lit->frame();
         const gl::Texture* result = &frame.diffuse;
-        if (!screen_space && shader != Shader::no_sss) {
-            timed("set-up", [&] {
-                screen_space =
-                    std::make_unique<ScreenSpace>(camera.width, camera.height, look.profile, methods);
-            });
-        }
         if (shader == Shader::ss_full || shader == Shader::ss_jittered) {
             if (shader == Shader::ss_full) {
                 timed("ss_full", [&] { result = &screen_space->full(frame, camera); });
@@ -196,6 +191,9 @@ Pipeline::~Pipeline() = default;
 void Pipeline::prepare(Shader shader, const scene::Camera& camera, const Light& light) {
     require_limit("shadow map size", light.shadow_map_size, GL_MAX_TEXTURE_SIZE);
     state_->prepare_size(camera.width, camera.height);
+    if (shader != Shader::no_sss) {
+        state_->prepare_screen_space(camera);
+    }
     if (shader == Shader::ts) {
         state_->unwrap(camera);
     }

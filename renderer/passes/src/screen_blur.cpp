@@ -3,6 +3,8 @@
 
 #include "screen_blur.h"
 
+#include <algorithm>
+
 #include <string>
 
 #include <renderer/gl/context.h>
@@ -69,7 +71,7 @@ void ScreenSurface::bind(const gl::Program& program, const Stretch& stretch) con
 }
 
 RatioTable::RatioTable(int reach)
-    : end(static_cast<float>(reach) / 3 + 0.5f), // steps are at most so many times shorter than a deviation
+    : end(std::max(1.36f, 0.46f * static_cast<float>(reach))), // steps are ceil(3 / reach sigma - 0.35), or 1
       texture(GL_R32F, table_size, 1) {
     std::vector<float> table;
     for (int i = 0; i < table_size; ++i) {
@@ -110,7 +112,13 @@ ScreenBlur::ScreenBlur(int width, int height, const FullMethod& method)
       sum_(method.target_bits == 8 ? GL_RGBA16F : blur_format(method), width, height),
       half_target_({&half_blurred_}), targets_{gl::Framebuffer({&blurred_[0], &sum_}),
                                                gl::Framebuffer({&blurred_[1], &sum_})},
-      sum_target_({&sum_}) {}
+      sum_target_({&sum_}) {
+    // Only the skin's rectangle is drawn; new memory may hold anything.
+    sum_target_.clear_color(0, glm::vec4(0));
+    for (const gl::Framebuffer* target : {&half_target_, &targets_[0], &targets_[1]}) {
+        target->clear_color(0, glm::vec4(0));
+    }
+}
 
 void ScreenBlur::begin(const PixelRect& rect) {
     if (rect_ != rect) {

@@ -27,7 +27,6 @@ public:
     void find(const gl::Texture& depth_mm, const ScreenGeometry& geometry);
     /// Bind the map and set the uniforms of screen_metric.glsl.
     void bind(const gl::Program& program, const Stretch& stretch) const;
-    const gl::Texture& depth_mm() const { return *depth_mm_; }
     const ScreenGeometry& geometry() const { return geometry_; }
 
 private:

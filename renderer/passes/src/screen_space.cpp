@@ -67,8 +67,10 @@ void ScreenSpace::find_surface(const LitFrame& lit, const scene::Camera& camera)
 const gl::Texture& ScreenSpace::full(const LitFrame& lit, const scene::Camera& camera) {
     find_surface(lit, camera);
     blur_.begin(lit.rect);
-    const float widest_px_per_mm = camera.focal_px() / lit.nearest_mm;
-    const float middle_px_per_mm = camera.focal_px() / lit.middle_mm;
+    const Stretch& stretch = methods_.full.stretch;
+    const float kernel_px_mm = stretch.alpha ? *stretch.alpha * published_depth_unit_mm : camera.focal_px();
+    const float widest_px_per_mm = kernel_px_mm / lit.nearest_mm;
+    const float middle_px_per_mm = kernel_px_mm / lit.middle_mm;
     const gl::Texture* source = &lit.diffuse;
     double reached_mm2 = 0;     // variance of the source
     glm::vec3 carried_share{0}; // of Gaussians too narrow to be seen
@@ -115,9 +117,11 @@ void ScreenSpace::begin_half(const gl::Texture& source, const LitFrame& lit, con
     lit.depth_mm.bind(1);
     half_->target.clear_color(0, glm::vec4(0));
     half_->target.clear_color(1, glm::vec4(0));
+    glEnable(GL_FRAMEBUFFER_SRGB); // of effect on 8-bit targets alone
     begin_rect(half_->target, half.rect);
     draw_screen();
     end_rect();
+    glDisable(GL_FRAMEBUFFER_SRGB);
     half_->surface.find(half_->depth_mm, half);
     half_->blur.begin(half.rect);
 }
@@ -155,9 +159,13 @@ const gl::Texture& ScreenSpace::narrowest(const LitFrame& lit, const scene::Came
     if (widest_px < narrowest_px) {
         return lit.diffuse;
     }
+    if (!narrowest_) {
+        narrowest_ = std::make_unique<ScreenBlur>(camera.width, camera.height, FullMethod{});
+    }
     find_surface(lit, camera);
-    blur_.begin(lit.rect);
-    return blur_.blur(surface_, lit.diffuse, sigma_mm, widest_px, glm::vec3(0), lit.diffuse, glm::vec3(0));
+    narrowest_->begin(lit.rect);
+    return narrowest_->blur(surface_, lit.diffuse, sigma_mm, widest_px, glm::vec3(0), lit.diffuse,
+                            glm::vec3(0));
 }
 
 } // namespace renderer::passes

@@ -46,6 +46,7 @@ private:
     ScreenSurface surface_;
     ScreenBlur blur_;
     std::unique_ptr<Half> half_;
+    std::unique_ptr<ScreenBlur> narrowest_; ///< of ts, which no setting of ss_full touches
     gl::Program jittered_;
     gl::Texture scattered_;
     gl::Framebuffer scattered_target_;

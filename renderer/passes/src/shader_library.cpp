@@ -7,7 +7,9 @@
 #include <sstream>
 #include <vector>
 
+#include <renderer/passes/pipeline.h>
 #include <support/error.h>
+#include <support/file.h>
 
 namespace renderer::passes {
 namespace {
@@ -52,6 +54,14 @@ gl::Stage stage(GLenum kind, const std::string& file) {
 }
 
 } // namespace
+
+std::string shader_code_digest() {
+    std::string all = CODE_DIGEST;
+    for (const auto& [name, source] : shader_sources()) {
+        all += name + '\n' + source;
+    }
+    return support::sha256(all);
+}
 
 gl::Program load_program(const std::string& vertex_file, const std::string& fragment_file) {
     return gl::Program({stage(GL_VERTEX_SHADER, vertex_file), stage(GL_FRAGMENT_SHADER, fragment_file)});

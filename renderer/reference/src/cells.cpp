@@ -184,9 +184,15 @@ struct Lighting {
 std::vector<Cell> lit_cells(const Geometry& geometry, const Skin& skin, const View& view,
                             const scene::Light& light, const SamplingPlan& plan, std::size_t most) {
     std::vector<Patch> patches = all_patches(geometry, plan, 1);
-    for (double scale = 1; cell_count(patches) > most;) {
-        scale *= 1.05 * std::sqrt(static_cast<double>(cell_count(patches)) / static_cast<double>(most));
+    double scale = 1;
+    for (std::size_t count = cell_count(patches); count > most;) {
+        scale *= 1.05 * std::sqrt(static_cast<double>(count) / static_cast<double>(most));
         patches = all_patches(geometry, plan, scale);
+        const std::size_t before = count;
+        count = cell_count(patches);
+        if (count == before) {
+            break; // one cell a triangle already
+        }
     }
 
     std::vector<std::size_t> firsts{0};

@@ -92,7 +92,7 @@ struct NodeCost {
 };
 using Costs = std::map<std::string, NodeCost>;
 
-/// SHA-256 of the texts of all shader files: changes when the pictures may.
+/// SHA-256 of the passes, their shaders, and what they build on: changes when the pictures may.
 std::string shader_code_digest();
 
 /// Renders one model, which outlives it, from many views under many lights. Shadow map and irradiance maps
