@@ -33,9 +33,9 @@ glm::vec3 rms_radius(const std::vector<Tap>& kernel);
 /// [JimenezGutierrez2010, Listing 7.1]; they add up to 1.
 constexpr std::array<float, 7> gaussian_taps{0.006f, 0.061f, 0.242f, 0.382f, 0.242f, 0.061f, 0.006f};
 
-/// One 1D Gaussian by taps on whole pixels, `reach` to each side, weighted by ratio^(k^2): the ratio that gives
-/// them the standard deviation `sigma`, in distances between taps. Exact where the Gaussian is narrower than a
-/// pixel, too; for wide ones it tends to the Gaussian's own exp(-1 / 2 sigma^2). In [0, 1].
+/// One 1D Gaussian by taps on whole pixels, `reach` to each side, weighted by ratio^(k^2): the ratio that
+/// gives them the standard deviation `sigma`, in distances between taps. Exact where the Gaussian is narrower
+/// than a pixel, too; for wide ones it tends to the Gaussian's own exp(-1 / 2 sigma^2). In [0, 1].
 double tap_ratio(int reach, double sigma);
 
 } // namespace renderer::optics
