@@ -46,7 +46,6 @@ GpuModel::Mesh uploaded(const scene::Mesh& mesh) {
     result.indices = gl::Buffer(mesh.indices.data(), mesh.indices.size() * sizeof(std::uint32_t));
     result.index_count = static_cast<GLsizei>(mesh.indices.size());
     result.material = mesh.material;
-    result.has_uv = mesh.has_uv;
     const GLuint array = result.array.id();
     glVertexArrayVertexBuffer(array, 0, result.vertices.id(), 0, sizeof(scene::Vertex));
     glVertexArrayElementBuffer(array, result.indices.id());

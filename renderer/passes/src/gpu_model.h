@@ -24,7 +24,6 @@ public:
         gl::VertexArray array;
         GLsizei index_count = 0;
         std::size_t material = 0;
-        bool has_uv = false;
     };
     const std::vector<Mesh>& meshes() const { return meshes_; }
     std::size_t material_count() const { return materials_.size(); }

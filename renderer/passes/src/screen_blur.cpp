@@ -5,10 +5,6 @@
 
 #include <algorithm>
 
-#include <string>
-
-#include <renderer/gl/context.h>
-
 #include "shader_library.h"
 
 namespace renderer::passes {
