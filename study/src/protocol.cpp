@@ -162,7 +162,7 @@ FullSettings read_full(TomlTable table) {
     if (full.target_bits != 0 && full.target_bits != 8 && full.target_bits != 16 && full.target_bits != 32) {
         throw table.error("target_bits", fmt::format("expected 0, 8, 16 or 32, found {}", full.target_bits));
     }
-    full.half_resolution = table.boolean("half_resolution", full.half_resolution);
+    full.half_resolution = table.boolean("half_resolution", !published);
     full.stretch = read_stretch(table);
     return full;
 }

@@ -82,7 +82,7 @@ struct FullSettings {
     bool exact_foreshortening = true;
     bool reject_gaps = true;
     int target_bits = 0; ///< 8, 16, 32; 0: what suits the driver
-    bool half_resolution = false;
+    bool half_resolution = true;
     StretchSettings stretch;
 };
 

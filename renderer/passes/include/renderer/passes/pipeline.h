@@ -65,7 +65,7 @@ struct FullMethod {
     Foreshortening foreshortening = Foreshortening::exact;
     bool reject_gaps = true;      ///< weigh taps by their distance in depth from the surface's plane, too
     int target_bits = 0;          ///< 8, 16 or 32 a channel; 0: 16, or 32 where the driver is a CPU
-    bool half_resolution = false; ///< wide Gaussians at half the resolution
+    bool half_resolution = true;  ///< wide Gaussians at half the resolution
     Stretch stretch;              ///< published foreshortening alone reads beta
 };
 
@@ -75,6 +75,7 @@ constexpr FullMethod published_full() {
     method.published_taps = true;
     method.foreshortening = Foreshortening::published;
     method.reject_gaps = false;
+    method.half_resolution = false;
     return method;
 }
 
