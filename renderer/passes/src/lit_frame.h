@@ -63,7 +63,7 @@ private:
     struct Samples {
         Samples(int width, int height, int count, const gl::Texture& depth);
         gl::Program resolve;
-        gl::Texture diffuse, after, specular, depth_mm;
+        gl::Texture diffuse, rest;
         gl::Framebuffer target;
     };
     void clear_outside();

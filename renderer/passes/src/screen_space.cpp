@@ -12,9 +12,9 @@
 namespace renderer::passes {
 namespace {
 
-// A Gaussian below this width changes no pixel that can be told from its neighbours: variance 0.04 beside the
+// A Gaussian below this width changes no pixel that can be told from its neighbours: variance 0.0625 beside the
 // 0.083 of the pixel's own square.
-constexpr float narrowest_px = 0.2f;
+constexpr float narrowest_px = 0.25f;
 // Halving and enlarging the image adds a variance of 0.25 and 0.75 pixels squared; from this width on, that
 // can be taken off the Gaussian.
 constexpr float half_resolution_px = 2.5f;
