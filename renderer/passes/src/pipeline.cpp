@@ -64,6 +64,7 @@ struct Pipeline::State {
     const scene::Model& source;
     Look look;
     Methods methods;
+    Switches switches;
     GpuModel model;
     SurfaceLook surface_look;
     gl::VertexArray no_vertices; // for draws that make their own
@@ -80,9 +81,18 @@ struct Pipeline::State {
     std::vector<std::string> warnings;
     std::vector<std::string> run, reused; // by the frame being rendered
 
-    State(const scene::Model& model_, const Look& look_, const Methods& methods_)
-        : source(model_), look(look_), methods(methods_), model(model_, look_.roughness),
+    State(const scene::Model& model_, const Look& look_, const Methods& methods_, const Switches& switches_)
+        : source(model_), look(look_), methods(methods_), switches(switches_), model(model_, look_.roughness),
           surface_look(look_) {}
+
+    /// Let no node's result outlive its frame, if so asked.
+    void forget() {
+        if (!switches.share) {
+            shadow_light.reset();
+            irradiance_light.reset();
+            lit_view.reset();
+        }
+    }
 
     /// Run one node to its end and add up what it took.
     template <typename Work>
@@ -178,12 +188,13 @@ struct Pipeline::State {
     }
 };
 
-Pipeline::Pipeline(const scene::Model& model, const Look& look, const Methods& methods) {
+Pipeline::Pipeline(const scene::Model& model, const Look& look, const Methods& methods,
+                   const Switches& switches) {
     gl::require_opengl_45();
     require_limit("samples", look.samples, GL_MAX_COLOR_TEXTURE_SAMPLES);
     require_limit("samples", look.samples, GL_MAX_DEPTH_TEXTURE_SAMPLES);
     require_limit("ts map size", methods.ts.map_size, GL_MAX_TEXTURE_SIZE);
-    state_ = std::make_unique<State>(model, look, methods);
+    state_ = std::make_unique<State>(model, look, methods, switches);
 }
 
 Pipeline::~Pipeline() = default;
@@ -203,6 +214,7 @@ Frame Pipeline::render(Shader shader, const scene::Camera& camera, const Light& 
     state_->run.clear();
     state_->reused.clear();
     prepare(shader, camera, light);
+    state_->forget();
     state_->light_view(camera, light);
     const gl::Texture& scattered = state_->scattered(shader, camera, light);
     Frame frame;

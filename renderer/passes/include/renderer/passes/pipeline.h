@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
@@ -86,6 +87,20 @@ struct Methods {
     FullMethod full;
 };
 
+/// What the pipeline may save; each can be turned off to measure what it saves.
+struct Switches {
+    bool share = true; ///< nodes are kept from frame to frame; else each frame computes all it needs
+};
+
+/// A switch by name. Without it frames are the same to `bound`, RMS of the 8-bit levels; 0: bit for bit.
+struct SwitchEntry {
+    std::string_view name;
+    bool Switches::*member;
+    double bound = 0;
+};
+constexpr SwitchEntry switch_list[]{{"share", &Switches::share}};
+static_assert(sizeof(Switches) == std::size(switch_list) * sizeof(bool), "a switch lacks its line");
+
 /// Seconds spent in each kind of node since the pipeline was made, and how often it ran.
 struct NodeCost {
     double seconds = 0;
@@ -104,7 +119,8 @@ class Pipeline {
 public:
     /// Throws support::InputError if the look or the methods ask for more than the driver allows,
     /// support::Failure if it lacks the memory.
-    Pipeline(const scene::Model& model, const Look& look, const Methods& methods);
+    Pipeline(const scene::Model& model, const Look& look, const Methods& methods,
+             const Switches& switches = {});
     ~Pipeline();
     Pipeline(const Pipeline&) = delete;
     Pipeline& operator=(const Pipeline&) = delete;
