@@ -24,7 +24,7 @@ using renderer::passes::Frame;
 
 constexpr int widest_thumbnail = 420, gap = 6, margin = 12, heading_height = 40, font_px = 20;
 constexpr std::uint8_t paper = 30, ink = 220;
-constexpr std::size_t most_pixels = std::size_t{64} << 20; // of all thumbnails: 192 MB
+constexpr std::size_t most_pixels = std::size_t{64} << 20; // 192 MB
 
 std::uint8_t* pixel(Frame& sheet, int x, int y) {
     return &sheet.srgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(sheet.width) +
@@ -106,11 +106,12 @@ ContactSheet::ContactSheet(const study::Protocol& protocol)
     const int label_width = label_column_width(protocol);
     const std::size_t columns = protocol.shaders.size();
     const std::size_t rows = protocol.camera.distances.size() * protocol.light.azimuths_deg.size();
-    const auto cells_pixels = [&](int shrink) {
-        return columns * rows * static_cast<std::size_t>(width_ / shrink + gap) *
-               static_cast<std::size_t>(height_ / shrink + gap);
+    const auto sheet_pixels = [&](int shrink) {
+        return (static_cast<std::size_t>(label_width) +
+                columns * static_cast<std::size_t>(width_ / shrink + gap)) *
+               (heading_height + rows * static_cast<std::size_t>(height_ / shrink + gap));
     };
-    while (cells_pixels(shrink_) > most_pixels && shrink_ < std::min(width_, height_)) {
+    while (sheet_pixels(shrink_) > most_pixels && shrink_ < std::min(width_, height_)) {
         ++shrink_;
     }
     const int cell_width = width_ / shrink_ + gap;

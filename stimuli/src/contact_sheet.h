@@ -13,7 +13,7 @@
 namespace stimuli {
 
 /// All images of a protocol, small and labelled: a row a view, a column a shader. Where there are many
-/// images they are smaller: together no more than 64 million pixels.
+/// images they are smaller, so that the sheet has 64 million pixels at most.
 class ContactSheet {
 public:
     explicit ContactSheet(const study::Protocol& protocol);

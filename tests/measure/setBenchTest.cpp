@@ -29,6 +29,7 @@ protected:
 
     void SetUp() override {
         SmallSetTest::SetUp();
+        change_protocol("shadow_map_size = 4096", "shadow_map_size = 256");
         change_protocol(R"(shaders = ["no_sss", "ts", "ss_jittered", "ss_full"])",
                         R"(shaders = ["no_sss", "ts"])");
         change_protocol(R"(tests = ["no_sss", "ss_jittered", "ss_full"])", R"(tests = ["no_sss"])");

@@ -85,7 +85,7 @@ TEST_F(ContactSheetTest, thumbnailsAreMeansOfLight) {
                 const auto expected = std::lround(255 * renderer::optics::srgb_from_linear(light));
                 const int found = level(image->pixels, image->width, left + x, top + y, c);
                 wrong += found != expected ? 1 : 0;
-                ASSERT_NEAR(found, expected, 1);
+                ASSERT_LE(std::abs(found - expected), 1);
             }
         }
     }
@@ -128,6 +128,7 @@ TEST_F(ContactSheetTest, aLargeSetHasASmallSheet) {
     protocol.shaders = {"no_sss", "ts", "ss_jittered", "ss_full"};
     protocol.camera.distances.assign(20, protocol.camera.distances.front());
     protocol.light.azimuths_deg.resize(360);
-    EXPECT_LT(stimuli::ContactSheet(protocol).pixels(), std::size_t{80} << 20);
-    EXPECT_GT(stimuli::ContactSheet(protocol).pixels(), std::size_t{20} << 20);
+    const std::size_t pixels = stimuli::ContactSheet(protocol).pixels();
+    EXPECT_LT(pixels, (std::size_t{64} << 20) + 1);
+    EXPECT_GT(pixels, std::size_t{20} << 20);
 }
