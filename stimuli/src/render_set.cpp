@@ -36,7 +36,6 @@ using Clock = std::chrono::steady_clock;
 
 // Frames that wait to be encoded; each holds up to 32 MB at the size of the paper's stimuli.
 constexpr std::size_t longest_queue = 3;
-constexpr const char* reused = "kept from an earlier image";
 
 double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
@@ -238,32 +237,12 @@ private:
         return frame;
     }
 
-    /// The manifest's entry of a rendered image, less the digests of its files.
-    Json entry(std::size_t i) const {
-        const Item& item = items_[i];
-        const Outcome& outcome = report_.outcomes[i];
-        std::vector<std::string> skipped;
-        for (const std::string& pass : outcome.passes_reused) {
-            skipped.push_back(fmt::format("{}: {}", pass, reused));
-        }
-        skipped.insert(skipped.end(), outcome.passes_skipped.begin(), outcome.passes_skipped.end());
-        return {{"shader", item.shader},
-                {"distance", item.distance.name},
-                {"azimuth_deg", item.azimuth_deg},
-                {"file", item.name() + ".png"},
-                {"sha256", ""},
-                {"recipe", recipes_[i].digest},
-                {"milliseconds", outcome.milliseconds},
-                {"passes_run", outcome.passes_run},
-                {"passes_skipped", skipped},
-                {"counts", outcome.counts},
-                {"parameters", recipes_[i].parameters}};
-    }
-
     /// Write the image's files and enter them into the manifest, on another thread while the next image is
     /// rendered.
     void encode(std::size_t i, scene::Frame frame) {
-        auto work = [this, name = items_[i].name(), entry = entry(i), frame = std::move(frame)]() mutable {
+        auto work = [this, name = items_[i].name(),
+                     entry = manifest_entry(items_[i], recipes_[i], report_.outcomes[i]),
+                     frame = std::move(frame)]() mutable {
             const auto start = Clock::now();
             const std::string stem = (request_.out / name).string();
             if (request_.exr) {
