@@ -19,11 +19,6 @@ bool contains(const std::vector<T>& values, const T& value) {
     return std::find(values.begin(), values.end(), value) != values.end();
 }
 
-template <typename T>
-std::ptrdiff_t index_of(const std::vector<T>& values, const T& value) {
-    return std::find(values.begin(), values.end(), value) - values.begin();
-}
-
 std::vector<std::string> distance_names(const study::Protocol& protocol) {
     std::vector<std::string> names;
     for (const study::Distance& distance : protocol.camera.distances) {
@@ -53,13 +48,26 @@ std::vector<Item> design(const study::Protocol& protocol) {
     return items;
 }
 
-bool Selection::keeps(const Item& item, const study::Protocol& protocol) const {
-    const auto light = index_of(protocol.light.azimuths_deg, item.azimuth_deg);
-    const auto camera = index_of(distance_names(protocol), item.distance.name);
-    const auto view = light * static_cast<std::ptrdiff_t>(protocol.camera.distances.size()) + camera;
-    return (shaders.empty() || contains(shaders, item.shader)) &&
-           (distances.empty() || contains(distances, item.distance.name)) &&
-           (azimuths_deg.empty() || contains(azimuths_deg, item.azimuth_deg)) && view % shards == shard - 1;
+std::set<std::string> selected(const Selection& selection, const study::Protocol& protocol) {
+    study::Protocol asked = protocol;
+    if (contains<std::string>(selection.shaders, reference_shader) &&
+        !contains<std::string>(asked.shaders, reference_shader)) {
+        asked.shaders.emplace_back(reference_shader);
+    }
+    std::vector<Item> items = design(asked);
+    std::erase_if(items, [&](const Item& item) {
+        return !((selection.shaders.empty() || contains(selection.shaders, item.shader)) &&
+                 (selection.distances.empty() || contains(selection.distances, item.distance.name)) &&
+                 (selection.azimuths_deg.empty() || contains(selection.azimuths_deg, item.azimuth_deg)));
+    });
+    const auto cut = [&](int shard) {
+        return items.size() * static_cast<std::size_t>(shard) / static_cast<std::size_t>(selection.shards);
+    };
+    std::set<std::string> names;
+    for (std::size_t i = cut(selection.shard - 1); i < cut(selection.shard); ++i) {
+        names.insert(items[i].name());
+    }
+    return names;
 }
 
 Selection selection(const std::vector<std::string>& only, const std::string& shard,

@@ -76,6 +76,7 @@ struct Pipeline::State {
     std::unique_ptr<TextureSpace> texture_space;
     std::unique_ptr<Finish> finish;
     glm::ivec2 size{0};
+    bool time_nodes = true;
     // What the nodes hold now.
     std::optional<Light> irradiance_light;
     std::optional<std::pair<scene::Camera, Light>> lit_view;
@@ -96,7 +97,7 @@ struct Pipeline::State {
         const auto start = std::chrono::steady_clock::now();
         glBindVertexArray(no_vertices.id());
         work();
-        if (switches.time_nodes) {
+        if (time_nodes) {
             glFinish();
         }
         gl::check_errors(node);
@@ -333,6 +334,7 @@ Frame Pipeline::render(Shader shader, const scene::Camera& camera, const Light& 
     return read(with_linear);
 }
 
+void Pipeline::time_nodes(bool wanted) { state_->time_nodes = wanted; }
 const Costs& Pipeline::costs() const { return state_->costs; }
 const std::vector<std::string>& Pipeline::warnings() const { return state_->warnings; }
 
