@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 
 #include <support/error.h>
+#include <support/gnuplot.h>
 
 #include "accuracy/report.h"
-#include "gnuplot.h"
 #include "outputs.h"
 
 namespace measure {
@@ -68,7 +68,7 @@ void run(Arguments& arguments) {
     std::optional<Outputs> outputs;
     if (!arguments.out.empty()) {
         outputs.emplace(arguments.out);
-        gnuplot_svg("set terminal svg\nplot x\n"); // a missing program is found before the long part
+        support::gnuplot_svg("set terminal svg\nplot x\n"); // a missing program is found before the long part
     }
     const AccuracyResult result = run_accuracy(request);
     const std::vector<Summary> all = summaries(result.rows);
