@@ -90,6 +90,7 @@ void run(Arguments& arguments) {
 void add_bench(CLI::App& app) {
     CLI::App* bench = app.add_subcommand("bench", "Benchmarks");
     bench->require_subcommand(1);
+    bench->footer("EXAMPLE\n  skin2afc bench accuracy --out out/accuracy --quick");
     const auto arguments = std::make_shared<Arguments>();
     CLI::App* command = bench->add_subcommand("accuracy", "Run time of every setting against its error");
     command->add_option("--out", arguments->out, "Folder for tables, figure and page; made if missing")

@@ -56,6 +56,15 @@ TEST(DesignTest, onlyRefusesWhatTheProtocolLacks) {
     }
 }
 
+TEST(DesignTest, onlyNamesWhatItTakes) {
+    try {
+        kept({"shader=references"});
+        FAIL();
+    } catch (const support::InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("ss_full, reference, found"), std::string::npos) << error.what();
+    }
+}
+
 TEST(DesignTest, shardsAreDisjointAndCompleteAndKeepViewsWhole) {
     std::multiset<std::string> all;
     for (const char* shard : {"1/5", "2/5", "3/5", "4/5", "5/5"}) {

@@ -37,14 +37,14 @@ vec3 direction_of(vec3 v) {
     return vv > 1e-12 ? v * inversesqrt(vv) : vec3(0.0);
 }
 
-vec3 albedo() { return base_color_factor * texture(base_color_map, surface_uv()).rgb; }
+vec3 albedo() { return base_color_factor * surface_texture(base_color_map).rgb; }
 
 // The part of the colour that an exponent of it stands for; 0 to the power 0 is 1 here, but undefined in GLSL.
 vec3 part_of_color(vec3 color, float exponent) { return exponent > 0.0 ? pow(color, vec3(exponent)) : vec3(1.0); }
 
 // Beckmann's slope m: the square of the perceptual roughness, as glTF's alpha is.
 float slope() {
-    float roughness = roughness_factor * texture(roughness_map, surface_uv()).g;
+    float roughness = roughness_factor * surface_texture(roughness_map).g;
     return max(roughness * roughness, 0.02);
 }
 
@@ -57,7 +57,7 @@ vec3 mapped_normal() {
     vec3 N = geometric_normal();
     vec3 T = direction_of(surface_tangent().xyz - N * dot(N, surface_tangent().xyz));
     vec3 B = cross(N, T) * surface_tangent().w;
-    vec3 n = texture(normal_map, surface_uv()).xyz * 2.0 - 1.0;
+    vec3 n = surface_texture(normal_map).xyz * 2.0 - 1.0;
     return direction_of((T * n.x + B * n.y) * normal_scale + N * n.z); // green and bitangent both point up the image
 }
 

@@ -55,12 +55,12 @@ void ScreenSurface::bind(const gl::Program& program, const Stretch& stretch) con
     // Physically, a width at depth d covers focal_px / d pixels, and a surface tilted by dz/dx is
     // foreshortened by about 1 / (1 + |dz/dx|), dz/dx being the gradient per pixel times focal_px / d: so
     // alpha and beta of Eqs. 2-3 are both focal_px. The published alpha is in the unit that makes 11 physical
-    // for the 2009 stimuli.
+    // for the 2009 stimuli. A given alpha or beta is in pixels of the image.
     program.set("focal_px", geometry_.focal_px);
     program.set("middle_px", geometry_.middle_px);
-    program.set("kernel_px_mm",
-                stretch.alpha ? *stretch.alpha * published_depth_unit_mm : geometry_.focal_px);
-    program.set("beta_px", stretch.beta.value_or(geometry_.focal_px));
+    program.set("kernel_px_mm", stretch.alpha ? *stretch.alpha * published_depth_unit_mm * geometry_.scale
+                                              : geometry_.focal_px);
+    program.set("beta_px", stretch.beta ? *stretch.beta * geometry_.scale : geometry_.focal_px);
     program.set("widest_px", widest_step * static_cast<float>(geometry_.height));
     depth_and_tilt_.bind(1);
     depth_mm_->bind(2);

@@ -18,6 +18,7 @@ struct ScreenGeometry {
     glm::vec2 middle_px{0};
     int height = 0;
     PixelRect rect{}; ///< no skin outside
+    float scale = 1;  ///< pixels of the pass per pixel of the image
 };
 
 /// How deep and how tilted the skin is at each pixel, and how wide kernels are there.

@@ -22,7 +22,7 @@ constexpr float half_resolution_variance_px2 = 1;
 ScreenGeometry geometry(const LitFrame& lit, const scene::Camera& camera) {
     return {camera.focal_px(),
             0.5f * glm::vec2(static_cast<float>(camera.width), static_cast<float>(camera.height)),
-            camera.height, lit.rect};
+            camera.height, lit.rect, 1};
 }
 
 /// The rectangle at half the resolution, rounded outwards.
@@ -112,6 +112,7 @@ void ScreenSpace::begin_half(const gl::Texture& source, const LitFrame& lit, con
     half.middle_px *= 0.5f;
     half.height = (half.height + 1) / 2;
     half.rect = half_of(half.rect);
+    half.scale = 0.5f;
     half_->halve.use();
     source.bind(0);
     lit.depth_mm.bind(1);
