@@ -63,6 +63,25 @@ Json method_parameters(const study::Protocol& protocol, std::optional<passes::Sh
     return nullptr;
 }
 
+/// What most protocols do without.
+void add_scene(Json& json, const study::Protocol& protocol) {
+    for (const study::FurtherLight& light : protocol.light.further) {
+        json["further_lights"].push_back({{"azimuth_deg", light.azimuth_deg},
+                                          {"elevation_deg", light.elevation_deg},
+                                          {"irradiance", light.irradiance}});
+    }
+    for (const study::Placement& head : protocol.scene.heads) {
+        json["heads"].push_back({{"place_mm", head.place_mm}, {"turn_deg", head.turn_deg}});
+    }
+    if (const auto& screen = protocol.scene.screen) {
+        json["screen"] = {
+            {"z_mm", screen->z_mm}, {"width_mm", screen->width_mm}, {"height_mm", screen->height_mm}};
+    }
+    if (!protocol.model.not_skin.empty()) {
+        json["not_skin"] = protocol.model.not_skin;
+    }
+}
+
 } // namespace
 
 Recipe recipe(const Item& item, const study::Protocol& protocol, const scene::Model& model,
@@ -96,6 +115,7 @@ Recipe recipe(const Item& item, const study::Protocol& protocol, const scene::Mo
         {"bloom_strength", protocol.bloom.strength},
         {"bloom_sigma_px", protocol.bloom.sigma_px},
     };
+    add_scene(result.parameters, protocol);
     if (result.shader) { // what the reference does not read
         result.parameters["samples"] = protocol.image.samples;
         result.parameters["shadow_map_size"] = protocol.light.shadow_map_size;

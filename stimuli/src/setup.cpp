@@ -10,6 +10,8 @@
 #include <renderer/scene/gltf.h>
 #include <stimuli/head.h>
 
+#include "arrangement.h"
+
 namespace stimuli {
 namespace {
 
@@ -64,7 +66,7 @@ scene::Model load_model(const study::Protocol& protocol, const std::optional<fs:
     for (scene::Mesh& mesh : model.meshes) {
         scene::refine(mesh, static_cast<float>(protocol.model.longest_edge_mm));
     }
-    return model;
+    return arranged(std::move(model), protocol);
 }
 
 passes::Look look(const study::Protocol& protocol) {
@@ -155,6 +157,12 @@ scene::Light light(const study::Protocol& protocol, double azimuth_deg) {
     result.ambient_irradiance = vec(protocol.light.ambient);
     result.shadow_map_size = protocol.light.shadow_map_size;
     result.shadow_softness_mm = static_cast<float>(protocol.light.shadow_softness_mm);
+    for (const study::FurtherLight& further : protocol.light.further) {
+        result.further.push_back(
+            {scene::light_direction(static_cast<float>(glm::radians(further.azimuth_deg)),
+                                    static_cast<float>(glm::radians(further.elevation_deg))),
+             vec(further.irradiance)});
+    }
     return result;
 }
 

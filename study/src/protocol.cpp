@@ -23,6 +23,7 @@ constexpr std::array<std::string_view, 5> known_shaders{"no_sss", "ts", "ss_jitt
 
 // Bounds that keep one image inside a GPU's texture limits and a test machine's memory.
 constexpr int largest_side = 16384;
+constexpr std::size_t most_lights = 8, most_heads = 64;
 
 Rgb rgb(TomlTable& table, std::string_view key, double most, const Rgb& fallback) {
     const auto values = table.numbers(key, 3, 0, most, std::vector<double>(fallback.begin(), fallback.end()));
@@ -103,6 +104,17 @@ LightSettings read_light(TomlTable table) {
     light.ambient = rgb(table, "ambient", 1e6, light.ambient);
     light.shadow_map_size = table.integer("shadow_map_size", 16, largest_side, light.shadow_map_size);
     light.shadow_softness_mm = table.number("shadow_softness_mm", 0, 100, 0.1);
+    if (table.has("further")) {
+        for (TomlTable& entry : table.tables("further")) {
+            light.further.push_back({entry.number("azimuth_deg", 0, 360),
+                                     entry.number("elevation_deg", -90, 90, light.elevation_deg),
+                                     rgb(entry, "irradiance", 1e6, {1, 1, 1})});
+        }
+        if (light.further.size() >= most_lights) {
+            throw table.error("further", fmt::format("expected at most {}, found {}", most_lights - 1,
+                                                     light.further.size()));
+        }
+    }
     return light;
 }
 
@@ -189,6 +201,11 @@ ReferenceSettings read_reference(TomlTable table) {
     return reference;
 }
 
+std::array<double, 3> read_place(TomlTable& table, std::string_view key) {
+    const auto v = table.numbers(key, 3, -1e9, 1e9);
+    return {v[0], v[1], v[2]};
+}
+
 ModelSettings read_model(TomlTable table) {
     ModelSettings model;
     const auto path = [&](std::string_view key) -> std::optional<fs::path> {
@@ -203,10 +220,31 @@ ModelSettings read_model(TomlTable table) {
     model.longest_edge_mm = table.number("longest_edge_mm", 0.1, 1e9, model.longest_edge_mm);
     model.head_height_mm = table.number("head_height_mm", 1e-3, 1e9, model.head_height_mm);
     if (table.has("head_centre_mm")) {
-        const auto v = table.numbers("head_centre_mm", 3, -1e9, 1e9);
-        model.head_centre_mm = {v[0], v[1], v[2]};
+        model.head_centre_mm = read_place(table, "head_centre_mm");
+    }
+    if (table.has("not_skin")) {
+        model.not_skin = table.texts("not_skin");
     }
     return model;
+}
+
+SceneSettings read_scene(TomlTable table) {
+    SceneSettings scene;
+    if (table.has("heads")) {
+        for (TomlTable& entry : table.tables("heads")) {
+            scene.heads.push_back({read_place(entry, "place_mm"), entry.number("turn_deg", -360, 360, 0)});
+        }
+        if (scene.heads.empty() || scene.heads.size() > most_heads) {
+            throw table.error("heads", fmt::format("expected 1 to {} {{ place_mm = ... }}, found {}",
+                                                   most_heads, scene.heads.size()));
+        }
+    }
+    if (table.has("screen")) {
+        TomlTable screen = table.table("screen");
+        scene.screen = {screen.number("z_mm", -1e9, 1e9), screen.number("width_mm", 1e-3, 1e9),
+                        screen.number("height_mm", 1e-3, 1e9)};
+    }
+    return scene;
 }
 
 DisplaySettings read_display(TomlTable table) {
@@ -288,6 +326,7 @@ Protocol read_protocol(const fs::path& file) {
     protocol.ss_full = read_full(root.table("ss_full"));
     protocol.reference = read_reference(root.table("reference"));
     protocol.model = read_model(root.table("model"));
+    protocol.scene = read_scene(root.table("scene"));
     protocol.session = read_session(root.table("session"), protocol);
     if (root.has("display")) {
         protocol.display = read_display(root.table("display"));

@@ -74,6 +74,17 @@ Texture::Texture(GLenum internal_format, int width, int height, int levels, int 
     }
 }
 
+Texture Texture::array(GLenum internal_format, int width, int height, int layers) {
+    Texture texture;
+    texture.width_ = width;
+    texture.height_ = height;
+    texture.layers_ = layers;
+    texture.handle_ = Handle<delete_texture>(created_texture(GL_TEXTURE_2D_ARRAY));
+    glTextureStorage3D(texture.id(), 1, internal_format, width, height, layers);
+    texture.filter(GL_NEAREST, GL_NEAREST);
+    return texture;
+}
+
 void Texture::upload(GLenum format, GLenum type, const void* pixels) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTextureSubImage2D(id(), 0, 0, 0, width_, height_, format, type, pixels);
@@ -109,17 +120,26 @@ Framebuffer::Framebuffer(const std::vector<const Texture*>& colors, const Textur
         glNamedFramebufferTexture(id(), attachment, color->id(), 0);
         buffers.push_back(attachment);
     }
+    finish(buffers, colors.empty() ? *depth : **colors.begin(), depth);
+}
+
+Framebuffer::Framebuffer(const Texture& color, int layer, const Texture* depth)
+    : handle_(created(glCreateFramebuffers)) {
+    glNamedFramebufferTextureLayer(id(), GL_COLOR_ATTACHMENT0, color.id(), 0, layer);
+    finish({GL_COLOR_ATTACHMENT0}, color, depth);
+}
+
+void Framebuffer::finish(const std::vector<GLenum>& buffers, const Texture& first, const Texture* depth) {
     if (depth) {
         glNamedFramebufferTexture(id(), GL_DEPTH_ATTACHMENT, depth->id(), 0);
     }
     glNamedFramebufferDrawBuffers(id(), static_cast<GLsizei>(buffers.size()), buffers.data());
-    const Texture& first = colors.empty() ? *depth : **colors.begin();
     width_ = first.width();
     height_ = first.height();
     const GLenum status = glCheckNamedFramebufferStatus(id(), GL_DRAW_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE) {
         throw support::failure("a framebuffer of {}x{} with {} colour targets is not complete: 0x{:x}",
-                               width_, height_, colors.size(), status);
+                               width_, height_, buffers.size(), status);
     }
 }
 
@@ -191,6 +211,14 @@ void Program::set(const char* name, const std::vector<glm::vec2>& values) const 
 void Program::set(const char* name, const std::vector<glm::vec3>& values) const {
     glProgramUniform3fv(id(), location(name), static_cast<GLsizei>(values.size()),
                         reinterpret_cast<const float*>(values.data()));
+}
+
+void Program::set(const char* name, const std::vector<glm::mat4>& values) const {
+    glProgramUniformMatrix4fv(id(), location(name), static_cast<GLsizei>(values.size()), GL_FALSE,
+                              reinterpret_cast<const float*>(values.data()));
+}
+void Program::set(const char* name, const std::vector<int>& values) const {
+    glProgramUniform1iv(id(), location(name), static_cast<GLsizei>(values.size()), values.data());
 }
 
 } // namespace renderer::gl

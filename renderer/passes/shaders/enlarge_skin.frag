@@ -29,5 +29,5 @@ void main() {
         sum += weight * texelFetch(half_sum, pixel, 0).rgb;
         met += weight;
     }
-    sum_of_shares = depth > 0.0 && met > 0.0 ? vec4(sum / met, 0.0) : vec4(0.0);
+    sum_of_shares = vec4(met > 0.0 ? sum / met : vec3(0.0), 1.0);
 }

@@ -9,7 +9,7 @@
 layout(binding = 0) uniform sampler2D gaussian_maps[6]; // profiles have at most six Gaussians
 layout(binding = 6) uniform sampler2D lit_map; // the lit frame
 uniform vec3 weights[6];
-uniform int count;
+uniform int count; // 0: not skin
 uniform vec2 uv_origin;
 uniform vec2 uv_scale;
 
@@ -24,5 +24,5 @@ void main() {
         vec4 g = texture(gaussian_maps[i], place);
         sum += weights[i] * (g.a > 1e-3 ? g.rgb / g.a : unscattered);
     }
-    scattered = vec4(sum, 1.0);
+    scattered = vec4(sum, count > 0 ? 1.0 : 0.0);
 }

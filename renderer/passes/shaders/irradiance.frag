@@ -7,4 +7,14 @@
 // Light that enters the skin, in texture space [DEonLuebke2007].
 layout(location = 0) out vec4 irradiance;
 
-void main() { irradiance = vec4(entering_light(mapped_normal(), albedo(), slope(), visibility()), 1.0); }
+void main() {
+    vec3 N = mapped_normal();
+    vec3 sum = entering_ambient(N);
+#if BEAMS > 0
+    float m = slope();
+    for (int k = 0; k < BEAMS; ++k) {
+        sum += entering_beam(k, N, m, visibility(k));
+    }
+#endif
+    irradiance = vec4(entering_radiance(sum, albedo()), 1.0);
+}

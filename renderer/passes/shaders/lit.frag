@@ -5,7 +5,7 @@
 #include "material.glsl"
 
 // The lit frame in one pass [Jimenez2009, section 4]: what scatters, what is applied after scattering, what is
-// reflected, and how deep it lies. Alpha is the matte.
+// reflected, and how deep it lies. Alpha of the diffuse light is the matte, of the specular the coverage.
 layout(location = 0) out vec4 diffuse;
 layout(location = 1) out vec4 after_scattering;
 layout(location = 2) out vec4 specular;
@@ -34,13 +34,30 @@ void main() {
     vec3 N = mapped_normal();
     vec3 V = direction_of(eye_mm - surface_position_mm());
     float m = slope();
-    float visible = visibility();
-
     vec3 color = albedo();
-    diffuse = vec4(entering_light(N, color, m, visible), 1.0);
+    vec3 entering = entering_ambient(N);
+    vec3 reflected = vec3(0.0);
+#if BEAMS > 0
+    for (int k = 0; k < BEAMS; ++k) {
+        float visible = visibility(k);
+        entering += entering_beam(k, N, m, visible);
+#if SPECULAR
+        float lobe = specular_intensity * kelemen_szirmay_kalos(N, light_direction[k], V, m);
+        reflected += light_irradiance[k] * (visible * lobe / pi);
+#endif
+    }
+#endif
+    diffuse = vec4(entering_radiance(entering, color), 1.0);
     vec3 leaving = part_of_color(color, 1.0 - texture_mix);
-    after_scattering = vec4(leaving * (1.0 - specular_intensity * specular_albedo(dot(N, V), m)), 1.0);
-    float reflected = specular_intensity * kelemen_szirmay_kalos(N, light_direction, V, m);
-    specular = vec4(min(light_irradiance * (visible * reflected / pi), vec3(brightest)), 1.0);
+    leaving *= 1.0 - specular_intensity * specular_albedo(dot(N, V), m);
+    specular = vec4(min(reflected, vec3(brightest)), 1.0);
+    after_scattering = vec4(leaving, 1.0);
     depth_mm = surface_depth_mm();
+#if !SCATTERS
+    // What is not skin is lit at once, and leaves no skin here: neither light to blur, nor matte, nor depth.
+    specular.rgb += diffuse.rgb * leaving;
+    diffuse = vec4(0.0);
+    after_scattering = vec4(0.0);
+    depth_mm = 0.0;
+#endif
 }

@@ -1,27 +1,31 @@
 // SPDX-FileCopyrightText: 2026 The skin2afc authors
 // SPDX-License-Identifier: MIT
 
-// The material at a point of the surface, and its light.
+// The material at a point of the surface, and its light. BEAMS (how many), COLOR_MAP, NORMAL_MAP, ROUGHNESS_MAP and
+// SPECULAR (whether there is any) are defined by the program.
 #include "surface.glsl"
 
 layout(binding = 0) uniform sampler2D base_color_map; // decoded to linear Rec. 709 by its sRGB format
 layout(binding = 1) uniform sampler2D normal_map;
 layout(binding = 2) uniform sampler2D roughness_map;
-layout(binding = 3) uniform sampler2D shadow_map; // depth from the light, 0 to 1
+layout(binding = 3) uniform sampler2DArray shadow_maps; // depth from each light, 0 to 1
 layout(binding = 4) uniform sampler2D specular_albedo_table; // x: cosine, y: slope m
-layout(binding = 5) uniform sampler2D shadow_bounds; // least and greatest depth around each block of texels
+layout(binding = 5) uniform sampler2DArray shadow_bounds; // least and greatest depth around each block of texels
 
 uniform vec3 base_color_factor;
 uniform float normal_scale;
 uniform float roughness_factor; // glTF's perceptual roughness
 uniform bool double_sided;
 
-uniform vec3 light_direction; // unit, towards the light
-uniform vec3 light_irradiance;
 uniform vec3 ambient_irradiance;
-uniform mat4 light_from_world;
-uniform float shadow_texel_mm;
-uniform float shadow_sigma_texels;
+#if BEAMS > 0
+uniform vec3 light_direction[BEAMS]; // unit, towards the light
+uniform vec3 light_irradiance[BEAMS];
+uniform mat4 light_from_world[BEAMS];
+uniform float shadow_texel_mm[BEAMS];
+uniform float shadow_sigma_texels[BEAMS];
+uniform int shadow_layer[BEAMS];
+#endif
 uniform float widest_shadow_sigma; // texels
 uniform float slant_lift; // lift per length by which a pixel's square is drawn out: 0 in texture space
 uniform int shadow_block; // texels of the map a side of one texel of shadow_bounds
@@ -37,14 +41,23 @@ vec3 direction_of(vec3 v) {
     return vv > 1e-12 ? v * inversesqrt(vv) : vec3(0.0);
 }
 
-vec3 albedo() { return base_color_factor * surface_texture(base_color_map).rgb; }
+vec3 albedo() {
+#if COLOR_MAP
+    return base_color_factor * surface_texture(base_color_map).rgb;
+#else
+    return base_color_factor;
+#endif
+}
 
 // The part of the colour that an exponent of it stands for; 0 to the power 0 is 1 here, but undefined in GLSL.
 vec3 part_of_color(vec3 color, float exponent) { return exponent > 0.0 ? pow(color, vec3(exponent)) : vec3(1.0); }
 
 // Beckmann's slope m: the square of the perceptual roughness, as glTF's alpha is.
 float slope() {
-    float roughness = roughness_factor * surface_texture(roughness_map).g;
+    float roughness = roughness_factor;
+#if ROUGHNESS_MAP
+    roughness *= surface_texture(roughness_map).g;
+#endif
     return max(roughness * roughness, 0.02);
 }
 
@@ -55,14 +68,21 @@ vec3 geometric_normal() {
 
 vec3 mapped_normal() {
     vec3 N = geometric_normal();
+#if !NORMAL_MAP
+    return direction_of(N);
+#else
     vec3 T = direction_of(surface_tangent().xyz - N * dot(N, surface_tangent().xyz));
     vec3 B = cross(N, T) * surface_tangent().w;
     vec3 n = surface_texture(normal_map).xyz * 2.0 - 1.0;
     return direction_of((T * n.x + B * n.y) * normal_scale + N * n.z); // green and bitangent both point up the image
+#endif
 }
 
 // rho_dt of [DEonLuebke2007]: what is reflected specularly from direction with cosine NoX.
 float specular_albedo(float NoX, float m) {
+#if !SPECULAR
+    return 0.0; // its factor is 0
+#endif
     vec2 place = vec2(clamp(NoX, 0.0, 1.0) * float(table_size - 1) + 0.5, m * float(table_size) - 0.5);
     return texture(specular_albedo_table, place / float(table_size)).r;
 }
@@ -81,18 +101,19 @@ vec4 shadow_weights(vec4 distance, float sigma, float reach) {
 // the shader sees one point; and the plane is lifted by two texels, and more where the surface is seen from the side, since
 // there the point may lie that far beside its triangle. It is lifted towards the light: to move it sideways would move the
 // shadows.
-float visibility() {
+#if BEAMS > 0
+float visibility(int k) {
     vec3 N = geometric_normal();
     vec2 pixel_mm = vec2(length(dFdx(surface_position_mm())), length(dFdy(surface_position_mm())));
     float slant_mm = abs(pixel_mm.x - pixel_mm.y);
-    vec3 place = (light_from_world * vec4(surface_position_mm(), 1.0)).xyz * 0.5 + 0.5;
-    vec2 size = vec2(textureSize(shadow_map, 0));
+    vec3 place = (light_from_world[k] * vec4(surface_position_mm(), 1.0)).xyz * 0.5 + 0.5;
+    vec2 size = vec2(textureSize(shadow_maps, 0).xy);
     vec2 along_x = dFdx(place.xy) * size;
     vec2 along_y = dFdy(place.xy) * size;
     float pixel_variance = (dot(along_x, along_x) + dot(along_y, along_y)) / 24.0;
-    float sigma = min(sqrt(shadow_sigma_texels * shadow_sigma_texels + pixel_variance), widest_shadow_sigma);
+    float sigma = min(sqrt(shadow_sigma_texels[k] * shadow_sigma_texels[k] + pixel_variance), widest_shadow_sigma);
     float reach = ceil(2.0 * sigma);
-    float NoL = dot(N, light_direction);
+    float NoL = dot(N, light_direction[k]);
     if (NoL <= 0.0) {
         return 0.0;
     }
@@ -100,16 +121,16 @@ float visibility() {
         return 1.0; // out of the box around the model, where nothing casts shadows
     }
     // The plane in the map: depth per texel along x and y. Planes that the light grazes are taken as if it did so less.
-    mat3 rows = transpose(mat3(light_from_world));
+    mat3 rows = transpose(mat3(light_from_world[k]));
     vec3 n = vec3(dot(rows[0], N), dot(rows[1], N), dot(rows[2], N)) /
              vec3(dot(rows[0], rows[0]), dot(rows[1], rows[1]), dot(rows[2], rows[2]));
     float depth_per_mm = 0.5 * length(rows[2]);
     vec2 slope = -n.xy / (min(n.z, -0.05 / (2.0 * depth_per_mm)) * size);
-    place.z -= depth_per_mm * (2.0 * shadow_texel_mm + slant_lift * slant_mm) / max(NoL, 0.05);
+    place.z -= depth_per_mm * (2.0 * shadow_texel_mm[k] + slant_lift * slant_mm) / max(NoL, 0.05);
 
     // All that the filter meets lies behind the plane, or all before it: then no tap is needed.
     float rise = (abs(slope.x) + abs(slope.y)) * (reach + 1.0);
-    vec2 bounds = texelFetch(shadow_bounds, ivec2(place.xy * size) / shadow_block, 0).xy;
+    vec2 bounds = texelFetch(shadow_bounds, ivec3(ivec2(place.xy * size) / shadow_block, shadow_layer[k]), 0).xy;
     if (place.z + rise <= bounds.x || place.z - rise > bounds.y) {
         return place.z + rise <= bounds.x ? 1.0 : 0.0;
     }
@@ -120,7 +141,7 @@ float visibility() {
     for (float y = 0.0; y <= 2.0 * reach; y += 2.0) {
         for (float x = 0.0; x <= 2.0 * reach; x += 2.0) {
             vec2 texel = first + vec2(x, y);
-            vec4 depth = textureGather(shadow_map, (texel + 1.0) / size);
+            vec4 depth = textureGather(shadow_maps, vec3((texel + 1.0) / size, shadow_layer[k]));
             // Gathered in the order (0, 1), (1, 1), (1, 0), (0, 0).
             vec4 dx = texel.x - point.x + vec4(0.0, 1.0, 1.0, 0.0);
             vec4 dy = texel.y - point.y + vec4(1.0, 1.0, 0.0, 0.0);
@@ -133,11 +154,15 @@ float visibility() {
     return lit / total;
 }
 
-// Light that enters the skin at this point, with the part of the colour that is applied before scattering,
-// as the radiance it would leave with: E albedo^mix / pi.
-vec3 entering_light(vec3 N, vec3 color, float m, float visible) {
-    float NoL = dot(N, light_direction);
-    vec3 direct = light_irradiance * (max(NoL, 0.0) * visible * (1.0 - specular_intensity * specular_albedo(NoL, m)));
-    vec3 ambient = ambient_irradiance * (0.5 + 0.5 * N.y);
-    return (direct + ambient) * part_of_color(color, texture_mix) / pi;
+// Light of one beam that gets into the surface.
+vec3 entering_beam(int k, vec3 N, float m, float visible) {
+    float NoL = dot(N, light_direction[k]);
+    return light_irradiance[k] * (max(NoL, 0.0) * visible * (1.0 - specular_intensity * specular_albedo(NoL, m)));
 }
+#endif
+
+vec3 entering_ambient(vec3 N) { return ambient_irradiance * (0.5 + 0.5 * N.y); }
+
+// Light that enters the skin, with the part of the colour that is applied before scattering, as the radiance it would
+// leave with: E albedo^mix / pi.
+vec3 entering_radiance(vec3 irradiance, vec3 color) { return irradiance * part_of_color(color, texture_mix) / pi; }

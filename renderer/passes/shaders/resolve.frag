@@ -3,8 +3,9 @@
 
 #version 450 core
 
-// Resolve the lit frame: colours and depth are means over the covered samples alone, the matte is 1 where any
-// sample is covered, the coverage is their share. Nothing of the background mixes into the skin.
+// Resolve the lit frame: what scatters and its depth are means over the samples that show skin, the matte is 1 where any
+// does; the rest are means over all covered samples, and the coverage is their share. Nothing of the background mixes
+// into the skin.
 layout(binding = 0) uniform sampler2DMS diffuse_samples;
 layout(binding = 1) uniform sampler2DMS after_samples;
 layout(binding = 2) uniform sampler2DMS specular_samples;
@@ -22,20 +23,24 @@ void main() {
     vec3 a = vec3(0.0);
     vec3 s = vec3(0.0);
     float z = 0.0;
+    float skin = 0.0;
     float covered = 0.0;
     for (int i = 0; i < samples; ++i) {
-        vec4 d_i = texelFetch(diffuse_samples, pixel, i);
-        if (d_i.a > 0.0) {
+        vec4 s_i = texelFetch(specular_samples, pixel, i);
+        if (s_i.a > 0.0) {
+            vec4 d_i = texelFetch(diffuse_samples, pixel, i);
             covered += 1.0;
+            skin += d_i.a;
             d += d_i.rgb;
             a += texelFetch(after_samples, pixel, i).rgb;
-            s += texelFetch(specular_samples, pixel, i).rgb;
+            s += s_i.rgb;
             z += texelFetch(depth_samples, pixel, i).r;
         }
     }
     float scale = covered > 0.0 ? 1.0 / covered : 0.0;
-    diffuse = vec4(d * scale, covered > 0.0 ? 1.0 : 0.0);
+    float skin_scale = skin > 0.0 ? 1.0 / skin : 0.0;
+    diffuse = vec4(d * skin_scale, skin > 0.0 ? 1.0 : 0.0);
     after_scattering = vec4(a * scale, 1.0);
     specular = vec4(s * scale, covered / float(samples));
-    depth_mm = z * scale;
+    depth_mm = z * skin_scale;
 }

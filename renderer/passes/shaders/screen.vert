@@ -4,7 +4,9 @@
 #version 450 core
 
 // One triangle that covers the viewport.
+uniform float draw_depth; // for passes that the depth test keeps off pixels
+
 void main() {
     vec2 corner = vec2((gl_VertexID & 1) * 4 - 1, (gl_VertexID & 2) * 2 - 1);
-    gl_Position = vec4(corner, 0.0, 1.0);
+    gl_Position = vec4(corner, draw_depth, 1.0);
 }

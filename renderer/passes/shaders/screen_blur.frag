@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: MIT
 
 #version 450 core
-#include "screen_metric.glsl"
+#include "screen_surface.glsl"
 
 // One 1D Gaussian over the skin on the screen, and its share of the profile's sum. Taps beside the skin have matte 0
 // and take no part; the sum is divided by the matte it met, so that no background bleeds in.
-// REACH (taps to each side), PUBLISHED_TAPS, PUBLISHED_FORESHORTENING, REJECT_GAPS, SECOND_PASS, DEPTH_IN and DEPTH_OUT
-// are defined by the program: loops and branches that a compiler cannot see through cost as much as the taps.
-layout(binding = 0) uniform sampler2D source; // rgb times matte; matte or, where DEPTH_IN is set, depth
-layout(binding = 2) uniform sampler2D depth_map;
+// REACH (taps to each side), PUBLISHED_TAPS, REJECT_GAPS, SECOND_PASS, EARLY_TEST, DEPTH_IN and DEPTH_OUT are defined by
+// the program: loops and branches that a compiler cannot see through cost as much as the taps.
+layout(binding = 0) uniform sampler2D source;      // rgb times matte; matte or, where DEPTH_IN is set, depth
 layout(binding = 3) uniform sampler2D ratio_table; // optics::tap_ratio over the standard deviation in steps
 layout(binding = 4) uniform sampler2D carried;     // light that narrower Gaussians left as it was
 
@@ -19,27 +18,24 @@ uniform float table_end;            // the greatest standard deviation of the ta
 
 layout(location = 0) out vec4 blurred;
 #if SECOND_PASS
-uniform vec3 share;         // weight of this Gaussian in the profile
+uniform vec3 share;         // weight of this Gaussian in the sum
 uniform vec3 carried_share; // weight of the narrower ones
 layout(location = 1) out vec4 sum_of_shares;
 #endif
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec3 surface = texelFetch(surface_map, pixel, 0).xyz;
-    if (surface.x <= 0.0) {
-        blurred = vec4(0.0);
-#if SECOND_PASS
-        sum_of_shares = vec4(0.0);
-#endif
-        return;
+    vec4 surface = texelFetch(shape_map, pixel, 0);
+#if !EARLY_TEST
+    if (surface.x <= 0.0 || (before_mm > 0.0 && surface.x >= before_mm)) {
+        discard;
     }
-    vec3 shape = kernel_shape(surface, gl_FragCoord.xy);
+#endif
 #if SECOND_PASS
-    float sigma_px = sigma_mm * shape.y;
-    vec2 axis = vec2(shape.z, 1.0);
+    float sigma_px = sigma_mm * surface.z;
+    vec2 axis = vec2(surface.w, 1.0);
 #else
-    float sigma_px = sigma_mm * shape.x;
+    float sigma_px = sigma_mm * surface.y;
     vec2 axis = vec2(1.0, 0.0);
 #endif
 
@@ -61,13 +57,13 @@ void main() {
     float weight_of_pair = 1.0;
 #endif
 
-    // The plane of the surface, in view space: a tap that lies off it is farther away than it looks.
-    vec3 q = ray(gl_FragCoord.xy);
-    vec3 plane = normalize(cross(vec3(1.0, 0.0, 0.0) + surface.y * q, vec3(0.0, 1.0, 0.0) + surface.z * q));
-    float plane_mm = surface.x * dot(plane, q);
-    float off_plane_scale = -0.5 / max(sigma_mm * sigma_mm, 1e-30);
-
-    vec2 size = vec2(textureSize(source, 0));
+#if REJECT_GAPS
+    // A tap that lies off the surface's plane is farther away than it looks. On the plane, 1 / depth is linear.
+    vec3 plane = texelFetch(plane_map, pixel, 0).xyz;
+    float inverse_depth = 1.0 / surface.x;
+    float off_plane_scale = -0.72134752 / max(sigma_mm * sigma_mm, 1e-30); // log2(e) / 2
+#endif
+    ivec2 size = textureSize(source, 0);
     vec4 sum = vec4(texelFetch(source, pixel, 0).rgb, 1.0);
 #if PUBLISHED_TAPS
     sum *= published_weights[0];
@@ -75,31 +71,39 @@ void main() {
     for (int i = 0; i < 2 * REACH; ++i) {
         int k = (i >> 1) + 1;
         vec2 place = gl_FragCoord.xy + float((i & 1) == 0 ? k : -k) * axis;
+        ivec2 tap = ivec2(floor(place));
+        // Kernels that reach over the image's edge see its mirror image.
+        ivec2 inner = clamp(min(max(tap, -1 - tap), 2 * size - 1 - tap), ivec2(0), size - 1);
 #if PUBLISHED_TAPS
         float weight = published_weights[k];
+        vec4 light = textureLod(source, place / vec2(size), 0.0);
 #else
         if ((i & 1) == 0) {
             weight_of_pair *= next_ratio;
             next_ratio *= ratio * ratio;
         }
         float weight = weight_of_pair;
+        vec4 light = texelFetch(source, inner, 0);
 #endif
-        vec4 light = textureLod(source, place / size, 0.0);
 #if DEPTH_IN
         float depth = light.a;
         light.a = depth > 0.0 ? 1.0 : 0.0;
 #elif REJECT_GAPS
-        float depth = textureLod(depth_map, place / size, 0.0).r;
+        float depth = texelFetch(depth_map, inner, 0).r;
 #endif
 #if REJECT_GAPS
-        float off_plane_mm = depth * dot(plane, ray(floor(place) + 0.5)) - plane_mm;
-        bool inside = clamp(place, vec2(0.0), size) == place; // else a mirror image, of another place
-        weight *= inside ? exp(off_plane_scale * off_plane_mm * off_plane_mm) : 1.0;
+        float off_plane_mm = plane.z * (depth * (inverse_depth - dot(plane.xy, vec2(tap - pixel))) - 1.0);
+        float on_plane = exp2(off_plane_scale * off_plane_mm * off_plane_mm);
+        weight *= inner == tap ? on_plane : 1.0; // a mirror image is of another place
 #endif
         sum += weight * light;
     }
     blurred = vec4(sum.rgb / sum.a, DEPTH_OUT == 1 ? surface.x : 1.0);
 #if SECOND_PASS
-    sum_of_shares = vec4(share * blurred.rgb + carried_share * texelFetch(carried, pixel, 0).rgb, 0.0);
+    vec3 added = share * blurred.rgb;
+    if (carried_share != vec3(0.0)) {
+        added += carried_share * texelFetch(carried, pixel, 0).rgb;
+    }
+    sum_of_shares = vec4(added, 1.0);
 #endif
 }

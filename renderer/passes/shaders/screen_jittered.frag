@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 
 #version 450 core
-#include "screen_metric.glsl"
+#include "screen_surface.glsl"
 
 // A kernel of few taps on the screen, turned by a random angle at each pixel [Jimenez2009, section 4].
+// EARLY_TEST is defined by the program.
 layout(binding = 0) uniform sampler2D source; // rgb times matte, matte
 uniform int tap_count;
 uniform vec2 tap_offsets_mm[49];
@@ -22,12 +23,13 @@ float random(uvec2 pixel) {
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec3 surface = texelFetch(surface_map, pixel, 0).xyz;
+    vec4 surface = texelFetch(shape_map, pixel, 0);
+#if !EARLY_TEST
     if (surface.x <= 0.0) {
-        scattered = vec4(0.0);
-        return;
+        discard;
     }
-    vec3 shape = kernel_shape(surface, gl_FragCoord.xy);
+#endif
+    vec3 shape = surface.yzw;
     mat2 px_per_mm = mat2(shape.x, 0.0, shape.z * shape.y, shape.y);
     float angle = 6.28318530717959 * random(uvec2(pixel));
     mat2 turn = mat2(cos(angle), sin(angle), -sin(angle), cos(angle));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #version 450 core
-#include "material.glsl"
+#include "surface.glsl"
 
 // Texels per unit of length along u and v (the stretch map of [DEonLuebke2007]) and the chart.
 uniform float chart;

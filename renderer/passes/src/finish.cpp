@@ -4,6 +4,9 @@
 #include "finish.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include <renderer/optics/color.h>
 
 #include "shader_library.h"
 
@@ -23,46 +26,85 @@ Finish::Finish(int width, int height, const Look& look)
 }
 
 void Finish::composite(const gl::Texture& scattered, const LitFrame& lit) {
-    color_target_.bind();
+    if (lit.rect != rect_) { // what was drawn outside
+        color_target_.clear_color(0, glm::vec4(0));
+        half_target_.clear_color(0, glm::vec4(0));
+        half_blurred_target_.clear_color(0, glm::vec4(0));
+        rect_ = lit.rect;
+    }
+    begin_rect(color_target_, rect_);
     composite_.use();
     level_ = lit.level;
     scattered.bind(0);
     lit.after_scattering.bind(1);
     lit.specular.bind(2);
     draw_screen();
+    end_rect();
+}
+
+/// What the bloom reaches, at half the resolution.
+PixelRect Finish::bloom_rect() const {
+    const int reach = static_cast<int>(std::ceil(1.5f * look_.bloom_sigma_px)) + 2;
+    const int left = std::max(rect_.x / 2 - reach, 0);
+    const int bottom = std::max(rect_.y / 2 - reach, 0);
+    return {left, bottom, std::min((rect_.x + rect_.width + 1) / 2 + reach, half_.width()) - left,
+            std::min((rect_.y + rect_.height + 1) / 2 + reach, half_.height()) - bottom};
 }
 
 void Finish::bloom() {
-    if (look_.bloom_strength <= 0 || look_.bloom_sigma_px <= 0) {
-        return;
-    }
-    half_target_.bind();
+    const PixelRect rect = bloom_rect();
+    begin_rect(half_target_, rect);
     halve_.use();
     color_.bind(0);
     draw_screen();
     bloom_.use();
     bloom_.set("sigma_px", std::max(0.5f * look_.bloom_sigma_px, 1e-3f));
-    half_blurred_target_.bind();
+    begin_rect(half_blurred_target_, rect);
     half_.bind(0);
     bloom_.set("axis", glm::vec2(1, 0));
     draw_screen();
-    half_target_.bind();
+    begin_rect(half_target_, rect);
     half_blurred_.bind(0);
     bloom_.set("axis", glm::vec2(0, 1));
     draw_screen();
+    end_rect();
 }
 
-Frame Finish::output(bool with_linear) {
-    const bool blooms = look_.bloom_strength > 0 && look_.bloom_sigma_px > 0;
-    (with_linear ? both_target_ : srgb_target_).bind();
+void Finish::output(bool with_linear) {
+    output_background(with_linear);
+    PixelRect rect = rect_;
+    if (blooms()) {
+        const PixelRect half = bloom_rect();
+        rect = {2 * half.x, 2 * half.y, 2 * half.width, 2 * half.height};
+    }
+    rect.y = color_.height() - rect.y - rect.height; // row 0 is the image's top
+    begin_rect(with_linear ? both_target_ : srgb_target_, rect);
     output_.use();
-    output_.set("bloom_strength", blooms ? look_.bloom_strength : 0.0f);
+    output_.set("bloom_strength", blooms() ? look_.bloom_strength : 0.0f);
     output_.set("skin_exposure", look_.exposure * level_);
     output_.set("background", look_.exposure * look_.background);
     color_.bind(0);
     half_.bind(1);
     draw_screen();
+    end_rect();
+}
 
+void Finish::output_background(bool with_linear) {
+    const glm::vec3 background = look_.exposure * look_.background;
+    glm::vec4 srgb(1);
+    for (int c = 0; c < 3; ++c) {
+        // Half a step from the border between two steps, so that all rounding is alike.
+        const double encoded =
+            optics::srgb_from_linear(std::clamp(static_cast<double>(background[c]), 0.0, 1.0));
+        srgb[c] = static_cast<float>(std::round(255 * encoded) / 255);
+    }
+    srgb_target_.clear_color(0, srgb);
+    if (with_linear) {
+        both_target_.clear_color(1, glm::vec4(background, 0));
+    }
+}
+
+Frame Finish::read(bool with_linear) const {
     Frame frame;
     frame.width = color_.width();
     frame.height = color_.height();

@@ -15,13 +15,21 @@ class Finish {
 public:
     Finish(int width, int height, const Look& look);
     void composite(const gl::Texture& scattered, const LitFrame& lit);
+    bool blooms() const { return look_.bloom_strength > 0 && look_.bloom_sigma_px > 0; }
     void bloom();
-    /// Encode and read back; `with_linear` fills Frame::linear, too.
-    Frame output(bool with_linear);
+    /// Encode; `with_linear` for the linear image, too.
+    void output(bool with_linear);
+    /// Encode a frame that shows nothing but the background.
+    void output_background(bool with_linear);
+    /// What was encoded last.
+    Frame read(bool with_linear) const;
 
 private:
+    PixelRect bloom_rect() const;
+
     Look look_;
     glm::vec3 level_{1}; ///< of the light in the frame that was composed last
+    PixelRect rect_;     ///< nothing of it outside
     gl::Program composite_, halve_, bloom_, output_;
     gl::Texture color_, half_, half_blurred_, srgb_, linear_;
     gl::Framebuffer color_target_, half_target_, half_blurred_target_, srgb_target_, both_target_;

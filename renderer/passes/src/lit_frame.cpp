@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include <renderer/gl/context.h>
 #include <renderer/optics/specular.h>
@@ -20,53 +21,19 @@ constexpr int specular_table_size = 64;
 // Shadows are free of acne at grazing views from 0.2 on.
 constexpr float slant_lift = 0.3f;
 
-PixelRect visible_rect(const scene::Camera& camera, const scene::Bounds& bounds) {
-    const PixelRect whole{0, 0, camera.width, camera.height};
-    const glm::mat3 rotation = camera.rotation();
-    glm::vec2 low(std::numeric_limits<float>::infinity());
-    glm::vec2 high = -low;
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::vec3 p((corner & 1) ? bounds.low.x : bounds.high.x,
-                          (corner & 2) ? bounds.low.y : bounds.high.y,
-                          (corner & 4) ? bounds.low.z : bounds.high.z);
-        const glm::vec3 v = rotation * (p - camera.eye_mm);
-        if (v.z >= 0) {
-            return whole; // a corner beside or behind the camera can appear anywhere
-        }
-        const glm::vec2 pixel =
-            glm::vec2(v) / -v.z * camera.focal_px() +
-            0.5f * glm::vec2(static_cast<float>(camera.width), static_cast<float>(camera.height));
-        low = glm::min(low, pixel);
-        high = glm::max(high, pixel);
-    }
-    const auto inside = [](float value, int limit) {
-        return static_cast<int>(std::clamp(value, 0.0f, static_cast<float>(limit)));
-    };
-    const int left = inside(std::floor(low.x) - 1, camera.width);
-    const int bottom = inside(std::floor(low.y) - 1, camera.height);
-    const int right = inside(std::ceil(high.x) + 1, camera.width);
-    const int top = inside(std::ceil(high.y) + 1, camera.height);
-    return {left, bottom, right - left, top - bottom};
+void begin_rect(const gl::Framebuffer& target, const PixelRect& rect) {
+    target.bind();
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(rect.x, rect.y, rect.width, rect.height);
 }
 
-namespace {
-
-/// The depths of a frame, from the model's bounding sphere.
-void find_depths(LitFrame& frame, const scene::Camera& camera, const scene::Bounds& bounds) {
-    const glm::vec3 middle = camera.rotation() * (0.5f * (bounds.low + bounds.high) - camera.eye_mm);
-    const float radius_mm = 0.5f * glm::length(bounds.high - bounds.low);
-    constexpr float share_in_front = 1e-3f; // of the radius, where the camera is beside or inside the model
-    frame.nearest_mm = std::max(-middle.z - radius_mm, share_in_front * radius_mm);
-    frame.middle_mm = std::max(-middle.z, share_in_front * radius_mm);
-}
-
-} // namespace
+void end_rect() { glDisable(GL_SCISSOR_TEST); }
 
 GLenum light_format() { return gl::runs_on_cpu() ? GL_RGBA32F : GL_RGBA16F; }
 
 LitFrame::LitFrame(int width, int height)
     : diffuse(light_format(), width, height), after_scattering(light_format(), width, height),
-      specular(light_format(), width, height), depth_mm(GL_R32F, width, height), rect{0, 0, width, height} {
+      specular(light_format(), width, height), depth_mm(GL_R32F, width, height), rect{}, skin{} {
     // Kernels that reach over the screen's edge see its mirror image.
     diffuse.filter(GL_LINEAR, GL_LINEAR, GL_MIRRORED_REPEAT);
 }
@@ -99,6 +66,17 @@ void SurfaceLook::bind(const gl::Program& program) const {
     program.set("fresnel_f0", look_.fresnel_f0);
 }
 
+Defines SurfaceLook::defines(const GpuModel::Traits& material, std::size_t beams,
+                             const Switches& switches) const {
+    const bool all = !switches.specialise;
+    return {{"BEAMS", static_cast<int>(beams)},
+            {"COLOR_MAP", all || material.color_map ? 1 : 0},
+            {"NORMAL_MAP", all || material.normal_map ? 1 : 0},
+            {"ROUGHNESS_MAP", all || material.roughness_map ? 1 : 0},
+            {"SPECULAR", all || look_.specular_intensity > 0 ? 1 : 0},
+            {"SCATTERS", material.scatters ? 1 : 0}};
+}
+
 void set_camera(const gl::Program& program, const scene::Camera& camera, const scene::Bounds& bounds) {
     program.set("view_from_world", camera.rotation());
     program.set("eye_mm", camera.eye_mm);
@@ -124,14 +102,24 @@ LitPass::Samples::Samples(int width, int height, int count, const gl::Texture& d
       depth_mm(GL_R32F, width, height, 1, count), target({&diffuse, &after, &specular, &depth_mm}, &depth) {}
 
 LitPass::LitPass(int width, int height, int samples)
-    : sample_count_(samples), program_(load_program("surface.vert", "lit.frag")),
+    : sample_count_(samples), programs_("surface.vert", "lit.frag"),
       depth_(GL_DEPTH_COMPONENT32F, width, height, 1, samples), frame_(width, height),
       samples_(samples > 1 ? std::make_unique<Samples>(width, height, samples, depth_) : nullptr),
       target_({&frame_.diffuse, &frame_.after_scattering, &frame_.specular, &frame_.depth_mm},
               samples > 1 ? nullptr : &depth_) {}
 
-void LitPass::resolve() {
-    target_.bind();
+/// Clear what an earlier frame left, or new memory holds, outside of the rectangle to be drawn.
+void LitPass::clear_outside() {
+    for (int attachment = 0; attachment < 4; ++attachment) {
+        target_.clear_color(attachment, glm::vec4(0));
+    }
+}
+
+void LitPass::resolve(const PixelRect& rect) {
+    if (rect != frame_.rect) {
+        clear_outside();
+    }
+    begin_rect(target_, rect);
     samples_->resolve.use();
     samples_->diffuse.bind(0);
     samples_->after.bind(1);
@@ -139,35 +127,52 @@ void LitPass::resolve() {
     samples_->depth_mm.bind(3);
     samples_->resolve.set("samples", sample_count_);
     draw_screen();
+    end_rect();
 }
 
-const LitFrame& LitPass::render(const GpuModel& model, const SurfaceLook& look,
-                                const scene::Camera& world_camera, const Light& light,
-                                const ShadowMap& shadow) {
+const LitFrame& LitPass::render(const GpuModel& model, const GpuModel::View& view, const SurfaceLook& look,
+                                const scene::Camera& camera, const Light& light,
+                                const std::vector<std::size_t>& beams, const ShadowMap& shadow,
+                                const Switches& switches) {
     // Light every sample.
     const gl::Framebuffer& target = samples_ ? samples_->target : target_;
-    target.bind();
+    if (!samples_ && view.rect != frame_.rect) {
+        clear_outside();
+    }
+    begin_rect(target, view.rect);
     for (int attachment = 0; attachment < 4; ++attachment) {
         target.clear_color(attachment, glm::vec4(0));
     }
     target.clear_depth(0);
-    program_.use();
-    const scene::Camera camera = model.seen_by(world_camera);
-    set_camera(program_, camera, model.bounds());
-    look.bind(program_);
-    shadow.bind(program_, light);
-    program_.set("slant_lift", slant_lift);
+    std::set<const gl::Program*> ready;
     {
         const ReversedDepth depth;
-        model.draw(program_);
+        for (const GpuModel::Part& part : view.parts) {
+            const std::size_t material = model.meshes()[part.mesh].material;
+            const gl::Program& program =
+                programs_.with(look.defines(model.traits(material), beams.size(), switches));
+            program.use();
+            if (ready.insert(&program).second) {
+                set_camera(program, camera, model.bounds());
+                look.bind(program);
+                shadow.bind(program, light, beams);
+                program.set("slant_lift", slant_lift);
+            }
+            model.bind_material(program, material, true);
+            model.draw_part(part);
+        }
     }
+    glDisable(GL_CULL_FACE);
+    end_rect();
 
     if (samples_) {
-        resolve();
+        resolve(view.rect);
     }
     frame_.level = ShadowMap::level(light);
-    frame_.rect = visible_rect(camera, model.bounds());
-    find_depths(frame_, camera, model.bounds());
+    frame_.rect = view.rect;
+    frame_.skin = view.skin;
+    frame_.nearest_mm = view.nearest_mm;
+    frame_.farthest_mm = view.farthest_mm;
     return frame_;
 }
 

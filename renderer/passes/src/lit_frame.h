@@ -9,19 +9,10 @@
 #include <renderer/passes/pipeline.h>
 
 #include "gpu_model.h"
+#include "program_variants.h"
 #include "shadow_map.h"
 
 namespace renderer::passes {
-
-/// A rectangle of pixels, origin at the lower left.
-struct PixelRect {
-    int x = 0, y = 0, width = 0, height = 0;
-
-    bool operator==(const PixelRect&) const = default;
-};
-
-/// Where a camera can see the bounds at all, rounded outwards.
-PixelRect visible_rect(const scene::Camera& camera, const scene::Bounds& bounds);
 
 /// The format of textures that carry light: floats of 32 bits on a CPU, which would have to convert half
 /// floats, and may cut them off (llvmpipe does); half floats on a GPU, where they save bandwidth.
@@ -33,10 +24,12 @@ struct LitFrame {
     gl::Texture after_scattering; ///< factor on the scattered light
     gl::Texture specular;         ///< reflected light; alpha is the coverage of the pixel
     gl::Texture depth_mm;         ///< R32F: linear depth, 0 where there is no skin
-    PixelRect rect;               ///< no skin outside
-    glm::vec3 level{1};   ///< what the light of this frame is to be multiplied with, see ShadowMap::level()
-    float nearest_mm = 1; ///< no skin before this depth; above 0
-    float middle_mm = 1;  ///< depth of the middle of the model's bounds; above 0
+    PixelRect rect;               ///< nothing outside: all is 0
+    PixelRect skin;               ///< no skin outside; within `rect`
+    glm::vec3 level{1}; ///< what the light of this frame is to be multiplied with, see ShadowMap::level()
+    float nearest_mm = 1, farthest_mm = 1; ///< depths of the skin; above 0
+
+    float middle_mm() const { return 0.5f * (nearest_mm + farthest_mm); }
 
     LitFrame(int width, int height);
 };
@@ -46,6 +39,8 @@ class SurfaceLook {
 public:
     explicit SurfaceLook(const Look& look);
     void bind(const gl::Program& program) const;
+    /// What material.glsl is to leave out for a material under so many beams.
+    Defines defines(const GpuModel::Traits& material, std::size_t beams, const Switches& switches) const;
 
 private:
     Look look_;
@@ -56,8 +51,11 @@ private:
 class LitPass {
 public:
     LitPass(int width, int height, int samples);
-    const LitFrame& render(const GpuModel& model, const SurfaceLook& look, const scene::Camera& camera,
-                           const Light& light, const ShadowMap& shadow);
+    /// What a camera, given relative to the model's origin, sees of the model under those beams of the light.
+    const LitFrame& render(const GpuModel& model, const GpuModel::View& view, const SurfaceLook& look,
+                           const scene::Camera& camera, const Light& light,
+                           const std::vector<std::size_t>& beams, const ShadowMap& shadow,
+                           const Switches& switches);
     const LitFrame& frame() const { return frame_; }
 
 private:
@@ -68,10 +66,11 @@ private:
         gl::Texture diffuse, after, specular, depth_mm;
         gl::Framebuffer target;
     };
-    void resolve();
+    void clear_outside();
+    void resolve(const PixelRect& rect);
 
     int sample_count_;
-    gl::Program program_;
+    ProgramVariants programs_;
     gl::Texture depth_; // of the samples
     LitFrame frame_;
     std::unique_ptr<Samples> samples_;
@@ -80,6 +79,10 @@ private:
 
 /// Set what surface.vert needs to know of the camera, given relative to the model's origin.
 void set_camera(const gl::Program& program, const scene::Camera& camera, const scene::Bounds& bounds);
+
+/// Bind a framebuffer and let only the rectangle be drawn or cleared until end_rect().
+void begin_rect(const gl::Framebuffer& target, const PixelRect& rect);
+void end_rect();
 
 /// While it lives, drawing keeps what is nearest by the reversed depth of scene::Camera::projection().
 /// Targets are cleared to a depth of 0.

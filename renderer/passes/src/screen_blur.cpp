@@ -10,60 +10,41 @@
 namespace renderer::passes {
 namespace {
 
-// A kernel's step never exceeds this share of the image's height, however near the camera comes.
-constexpr float widest_step = 0.25f;
 constexpr int table_size = 512;
 // Below this width, in pixels, a Gaussian's shape is lost between pixels, and three taps carry its variance.
 constexpr float few_taps_below_px = 0.6f;
 
-} // namespace
-
-void begin_rect(const gl::Framebuffer& target, const PixelRect& rect) {
-    target.bind();
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(rect.x, rect.y, rect.width, rect.height);
+/// Floats of 32 bits carry the depth along in alpha, which saves reading it; between pixels, where the
+/// published taps stand, it would be no depth.
+bool carries_depth(const FullMethod& method) {
+    return blur_format(method) == GL_RGBA32F && !method.published_taps;
 }
 
-void end_rect() { glDisable(GL_SCISSOR_TEST); }
+std::vector<gl::Framebuffer> framebuffers(const std::vector<gl::Texture>& blurred, const gl::Texture& sum,
+                                          const gl::Texture& depth, bool on_the_fly) {
+    std::vector<gl::Framebuffer> result;
+    for (const gl::Texture& texture : blurred) {
+        result.push_back(on_the_fly ? gl::Framebuffer({&texture, &sum}, &depth)
+                                    : gl::Framebuffer({&texture}, &depth));
+    }
+    return result;
+}
+
+std::vector<gl::Texture> textures(std::size_t count, GLenum format, int width, int height) {
+    std::vector<gl::Texture> result;
+    for (std::size_t i = 0; i < count; ++i) {
+        result.emplace_back(format, width, height);
+    }
+    return result;
+}
+
+} // namespace
 
 GLenum blur_format(const FullMethod& method) {
     if (method.target_bits != 0) {
         return method.target_bits == 8 ? GL_SRGB8_ALPHA8 : method.target_bits == 16 ? GL_RGBA16F : GL_RGBA32F;
     }
     return light_format();
-}
-
-ScreenSurface::ScreenSurface(int width, int height)
-    : program_(load_screen_program("screen_surface.frag")), depth_and_tilt_(GL_RGBA32F, width, height),
-      target_({&depth_and_tilt_}) {}
-
-void ScreenSurface::find(const gl::Texture& depth_mm, const ScreenGeometry& geometry) {
-    if (geometry_.rect != geometry.rect) {
-        target_.clear_color(0, glm::vec4(0));
-    }
-    geometry_ = geometry;
-    depth_mm_ = &depth_mm;
-    program_.use();
-    program_.set("focal_px", geometry.focal_px);
-    depth_mm.bind(0);
-    begin_rect(target_, geometry.rect);
-    draw_screen();
-    end_rect();
-}
-
-void ScreenSurface::bind(const gl::Program& program, const Stretch& stretch) const {
-    // Physically, a width at depth d covers focal_px / d pixels, and a surface tilted by dz/dx is
-    // foreshortened by about 1 / (1 + |dz/dx|), dz/dx being the gradient per pixel times focal_px / d: so
-    // alpha and beta of Eqs. 2-3 are both focal_px. The published alpha is in the unit that makes 11 physical
-    // for the 2009 stimuli. A given alpha or beta is in pixels of the image.
-    program.set("focal_px", geometry_.focal_px);
-    program.set("middle_px", geometry_.middle_px);
-    program.set("kernel_px_mm", stretch.alpha ? *stretch.alpha * published_depth_unit_mm * geometry_.scale
-                                              : geometry_.focal_px);
-    program.set("beta_px", stretch.beta ? *stretch.beta * geometry_.scale : geometry_.focal_px);
-    program.set("widest_px", widest_step * static_cast<float>(geometry_.height));
-    depth_and_tilt_.bind(1);
-    depth_mm_->bind(2);
 }
 
 RatioTable::RatioTable(int reach)
@@ -78,14 +59,12 @@ RatioTable::RatioTable(int reach)
     texture.filter(GL_LINEAR, GL_LINEAR);
 }
 
-ScreenBlur::Taps::Taps(int reach, const FullMethod& method) : ratios(reach) {
-    Defines defines = metric_defines(method.foreshortening);
-    defines["REACH"] = reach;
-    defines["PUBLISHED_TAPS"] = method.published_taps ? 1 : 0;
-    defines["REJECT_GAPS"] = method.reject_gaps ? 1 : 0;
-    // Floats of 32 bits carry the depth along in alpha, which saves reading it; between pixels, where the
-    // published taps stand, it would be no depth.
-    defines["DEPTH_OUT"] = blur_format(method) == GL_RGBA32F && !method.published_taps ? 1 : 0;
+ScreenBlur::Taps::Taps(int reach, const FullMethod& method, bool early_test) : ratios(reach) {
+    Defines defines{{"REACH", reach},
+                    {"PUBLISHED_TAPS", method.published_taps ? 1 : 0},
+                    {"REJECT_GAPS", method.reject_gaps ? 1 : 0},
+                    {"EARLY_TEST", early_test ? 1 : 0},
+                    {"DEPTH_OUT", carries_depth(method) ? 1 : 0}};
     for (gl::Program* program : {&from_matte, &from_depth, &second}) {
         defines["DEPTH_IN"] = program == &from_matte ? 0 : defines["DEPTH_OUT"];
         defines["SECOND_PASS"] = program == &second ? 1 : 0;
@@ -96,76 +75,139 @@ ScreenBlur::Taps::Taps(int reach, const FullMethod& method) : ratios(reach) {
     }
 }
 
-ScreenBlur::ScreenBlur(int width, int height, const FullMethod& method)
-    : method_(method), taps_(method.published_taps ? 3 : method.taps / 2, method),
-      few_taps_(method.published_taps ? 3 : 1, method),
-      light_sampler_(method.published_taps ? GL_LINEAR : GL_NEAREST, GL_MIRRORED_REPEAT),
-      depth_sampler_(GL_NEAREST, GL_MIRRORED_REPEAT),
-      half_blurred_(blur_format(method), width, height), blurred_{gl::Texture(blur_format(method), width,
-                                                                              height),
-                                                                  gl::Texture(blur_format(method), width,
-                                                                              height)},
+ScreenBlur::ScreenBlur(const ScreenSurface& surface, int width, int height, const FullMethod& method,
+                       std::size_t gaussians, bool early_test)
+    : surface_(surface), method_(method), early_test_(early_test),
+      taps_(method.published_taps ? 3 : method.taps / 2, method, early_test),
+      few_taps_(method.published_taps ? 3 : 1, method, early_test),
+      copy_(load_screen_program("copy_skin.frag", {{"DEPTH_OUT", carries_depth(method) ? 1 : 0}})),
+      weigh_(load_screen_program("weighted_sum.frag")), light_sampler_(GL_LINEAR, GL_MIRRORED_REPEAT),
+      half_blurred_(blur_format(method), width, height),
       sum_(method.target_bits == 8 ? GL_RGBA16F : blur_format(method), width, height),
-      half_target_({&half_blurred_}), targets_{gl::Framebuffer({&blurred_[0], &sum_}),
-                                               gl::Framebuffer({&blurred_[1], &sum_})},
-      sum_target_({&sum_}) {
-    // Only the skin's rectangle is drawn; new memory may hold anything.
+      blurred_(textures(method.accumulation == Accumulation::on_the_fly ? 1 : gaussians, blur_format(method),
+                        width, height)),
+      targets_(framebuffers(blurred_, sum_, surface.depth_buffer(),
+                            method.accumulation == Accumulation::on_the_fly)),
+      half_target_({&half_blurred_}, &surface.depth_buffer()), sum_target_({&sum_}) {
+    // Only skin is drawn; new memory may hold anything.
     sum_target_.clear_color(0, glm::vec4(0));
-    for (const gl::Framebuffer* target : {&half_target_, &targets_[0], &targets_[1]}) {
-        target->clear_color(0, glm::vec4(0));
-    }
 }
 
-void ScreenBlur::begin(const PixelRect& rect) {
-    if (rect_ != rect) {
-        for (const gl::Framebuffer* target : {&half_target_, &targets_[0], &targets_[1]}) {
-            target->clear_color(0, glm::vec4(0));
-        }
-        rect_ = rect;
+void ScreenBlur::begin(const gl::Texture& unblurred) {
+    // Where there is no skin nothing is drawn, and the matte has to be 0.
+    begin_rect(half_target_, surface_.geometry().rect);
+    half_target_.clear_color(0, glm::vec4(0));
+    for (const gl::Framebuffer& target : targets_) {
+        target.clear_color(0, glm::vec4(0));
     }
-    begin_rect(sum_target_, rect);
-    sum_target_.clear_color(0, glm::vec4(0));
     end_rect();
+    unblurred_ = source_ = &unblurred;
+    next_ = 0;
+    sum_started_ = false;
+    weight_ = glm::vec3(0);
+    kept_weights_.assign(1 + blurred_.size(), glm::vec3(0));
 }
 
-void ScreenBlur::pass(const Taps& taps, const gl::Program& program, const ScreenSurface& surface,
-                      const gl::Texture& source, float sigma_mm) const {
+glm::vec3 ScreenBlur::add_weight(const glm::vec3& weight) {
+    if (method_.accumulation == Accumulation::weighted_sum) {
+        kept_weights_[next_] += weight;
+    }
+    weight_ += weight;
+    return glm::mix(weight / weight_, glm::vec3(0), glm::equal(weight_, glm::vec3(0)));
+}
+
+void ScreenBlur::pass(const Taps& taps, const gl::Program& program, const gl::Framebuffer& target,
+                      const gl::Texture& source, float sigma_mm, float before_mm) {
     program.use();
-    surface.bind(program, method_.stretch);
+    surface_.bind(program);
     program.set("sigma_mm", sigma_mm);
     source.bind(0);
     taps.ratios.texture.bind(3);
-    light_sampler_.bind(0);
-    depth_sampler_.bind(2);
-    draw_screen();
+    if (method_.published_taps) {
+        light_sampler_.bind(0);
+    }
+    begin_rect(target, surface_.geometry().rect);
+    {
+        const EarlyTest test(program, surface_, before_mm, early_test_);
+        draw_screen();
+    }
+    end_rect();
     gl::Sampler::unbind(0);
-    gl::Sampler::unbind(2);
 }
 
-const gl::Texture& ScreenBlur::blur(const ScreenSurface& surface, const gl::Texture& source, float sigma_mm,
-                                    float widest_px, const glm::vec3& share, const gl::Texture& carried,
-                                    const glm::vec3& carried_share) {
-    const Taps& taps = widest_px < few_taps_below_px ? few_taps_ : taps_;
-    const PixelRect& rect = surface.geometry().rect;
-    const bool own = &source == &blurred_[0] || &source == &blurred_[1];
-    glEnable(GL_FRAMEBUFFER_SRGB); // of effect on 8-bit targets alone
-    begin_rect(half_target_, rect);
-    pass(taps, own ? taps.from_depth : taps.from_matte, surface, source, sigma_mm);
+/// Begin blurred light and sum with the unblurred light, for pixels that no Gaussian reaches.
+void ScreenBlur::keep_unblurred() {
+    copy_.use();
+    surface_.bind(copy_);
+    unblurred_->bind(0);
+    begin_rect(targets_[0], surface_.geometry().rect);
+    draw_screen();
     end_rect();
+    source_ = blurred_.data();
+    sum_started_ = true;
+}
 
-    taps.second.set("share", share);
-    taps.second.set("carried_share", carried_share);
-    carried.bind(4);
-    begin_rect(targets_[next_], rect);
-    glEnablei(GL_BLEND, 1);
-    glBlendFunci(1, GL_ONE, GL_ONE);
-    pass(taps, taps.second, surface, half_blurred_, sigma_mm);
+void ScreenBlur::blur(float sigma_mm, float widest_px, const glm::vec3& weight, float before_mm) {
+    const bool on_the_fly = method_.accumulation == Accumulation::on_the_fly;
+    if (!on_the_fly) {
+        before_mm = 0; // each Gaussian has a target of its own, which holds nothing else
+    } else if (before_mm > 0) {
+        // Pixels beyond keep what they have; they must not lend an earlier pass's light to others.
+        if (!sum_started_) {
+            keep_unblurred();
+        }
+        begin_rect(half_target_, surface_.geometry().rect);
+        half_target_.clear_color(0, glm::vec4(0));
+        end_rect();
+    }
+    const Taps& taps = widest_px < few_taps_below_px ? few_taps_ : taps_;
+    glEnable(GL_FRAMEBUFFER_SRGB); // of effect on 8-bit targets alone
+    pass(taps, source_ == unblurred_ ? taps.from_matte : taps.from_depth, half_target_, *source_, sigma_mm,
+         before_mm);
+
+    const std::size_t target = on_the_fly ? 0 : next_;
+    next_ = target + 1;
+    const glm::vec3 share = add_weight(weight);
+    taps.second.set("share", sum_started_ ? glm::vec3(1) : share);
+    taps.second.set("carried_share", sum_started_ ? glm::vec3(0) : 1.0f - share);
+    unblurred_->bind(4);
+    if (sum_started_) {
+        glEnablei(GL_BLEND, 1);
+        glBlendFunci(1, GL_CONSTANT_COLOR, GL_ONE_MINUS_CONSTANT_COLOR);
+        glBlendColor(share.r, share.g, share.b, 1);
+    }
+    pass(taps, taps.second, targets_[target], half_blurred_, sigma_mm, before_mm);
     glDisablei(GL_BLEND, 1);
-    end_rect();
     glDisable(GL_FRAMEBUFFER_SRGB);
-    const gl::Texture& result = blurred_[next_];
-    next_ = 1 - next_;
-    return result;
+    sum_started_ = on_the_fly;
+    source_ = &blurred_[target];
+}
+
+const gl::Texture& ScreenBlur::sum() {
+    if (method_.accumulation == Accumulation::weighted_sum) {
+        std::vector<glm::vec3> weights;
+        for (std::size_t i = 0; i < kept_weights_.size(); ++i) {
+            weights.push_back(kept_weights_[i] / glm::max(weight_, glm::vec3(1e-30f)));
+            (i == 0 ? *unblurred_ : blurred_[i - 1]).bind(static_cast<GLuint>(i));
+        }
+        weigh_.use();
+        weigh_.set("weights", weights);
+        weigh_.set("count", static_cast<int>(next_ + 1));
+        begin_rect(sum_target_, surface_.geometry().rect);
+        draw_screen();
+        end_rect();
+        return sum_;
+    }
+    return sum_started_ ? sum_ : *unblurred_;
+}
+
+const gl::Framebuffer& ScreenBlur::sum_target() {
+    if (method_.accumulation == Accumulation::weighted_sum) {
+        sum();
+    } else if (!sum_started_) {
+        keep_unblurred();
+    }
+    return sum_target_;
 }
 
 } // namespace renderer::passes

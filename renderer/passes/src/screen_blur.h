@@ -3,40 +3,16 @@
 
 #pragma once
 
+#include <vector>
+
 #include <renderer/gl/objects.h>
 #include <renderer/optics/kernel.h>
 #include <renderer/passes/pipeline.h>
 
-#include "lit_frame.h"
+#include "screen_surface.h"
 #include "shader_library.h"
 
 namespace renderer::passes {
-
-/// Where a camera's pixels lie, at the resolution of a pass.
-struct ScreenGeometry {
-    float focal_px = 1;
-    glm::vec2 middle_px{0};
-    int height = 0;
-    PixelRect rect{}; ///< no skin outside
-    float scale = 1;  ///< pixels of the pass per pixel of the image
-};
-
-/// How deep and how tilted the skin is at each pixel, and how wide kernels are there.
-class ScreenSurface {
-public:
-    ScreenSurface(int width, int height);
-    void find(const gl::Texture& depth_mm, const ScreenGeometry& geometry);
-    /// Bind the map and set the uniforms of screen_metric.glsl.
-    void bind(const gl::Program& program, const Stretch& stretch) const;
-    const ScreenGeometry& geometry() const { return geometry_; }
-
-private:
-    gl::Program program_;
-    gl::Texture depth_and_tilt_;
-    gl::Framebuffer target_;
-    ScreenGeometry geometry_;
-    const gl::Texture* depth_mm_ = nullptr;
-};
 
 /// optics::tap_ratio for kernels whose taps reach so far, from 0 up to a standard deviation of `end` steps.
 struct RatioTable {
@@ -45,50 +21,61 @@ struct RatioTable {
     gl::Texture texture;
 };
 
-/// Blurs the skin by one Gaussian after another, at one resolution.
+/// Blurs the skin by one Gaussian after another, at one resolution, and sums them up.
 class ScreenBlur {
 public:
-    ScreenBlur(int width, int height, const FullMethod& method);
+    /// `surface` outlives it. `gaussians`: how many at most, where all are kept.
+    ScreenBlur(const ScreenSurface& surface, int width, int height, const FullMethod& method,
+               std::size_t gaussians, bool early_test);
 
-    /// Start a new sum of Gaussians of skin inside the rectangle.
-    void begin(const PixelRect& rect);
-    /// Blur `source`, a result of this blur or RGB times matte and matte, by a Gaussian. Adds the result
-    /// times `share`, and `carried` times `carried_share`, to the sum. The result holds until the call after
-    /// the next.
-    const gl::Texture& blur(const ScreenSurface& surface, const gl::Texture& source, float sigma_mm,
-                            float widest_px, const glm::vec3& share, const gl::Texture& carried,
-                            const glm::vec3& carried_share);
-    gl::Texture& sum() { return sum_; }
-    const gl::Framebuffer& sum_target() const { return sum_target_; }
+    /// Start anew with `unblurred`, light times matte and matte, in the surface found last.
+    void begin(const gl::Texture& unblurred);
+    /// Blur further by a Gaussian, where the skin is nearer than `before_mm` (0: everywhere), and add the
+    /// result to the sum with this weight. `widest_px` is its width where the skin is nearest.
+    void blur(float sigma_mm, float widest_px, const glm::vec3& weight, float before_mm);
+    /// Add to the sum what is blurred so far.
+    void skip(const glm::vec3& weight) { add_weight(weight); }
+    /// What is blurred so far.
+    const gl::Texture& blurred() const { return *source_; }
+    /// The weighted sum, divided by the sum of weights.
+    const gl::Texture& sum();
+    /// Sum of the weights so far.
+    const glm::vec3& weight() const { return weight_; }
+    /// Where to blend more into the sum, with `share` of it: set it as the blend colour.
+    const gl::Framebuffer& sum_target();
+    const gl::Texture& blended() const { return sum_; }
+    glm::vec3 add_weight(const glm::vec3& weight);
 
 private:
     /// The programs of both passes for one number of taps.
     struct Taps {
-        Taps(int reach, const FullMethod& method);
+        Taps(int reach, const FullMethod& method, bool early_test);
         gl::Program from_matte, from_depth, second; ///< the first pass by what the source's alpha is
         RatioTable ratios;
     };
-    void pass(const Taps& taps, const gl::Program& program, const ScreenSurface& surface,
-              const gl::Texture& source, float sigma_mm) const;
+    void pass(const Taps& taps, const gl::Program& program, const gl::Framebuffer& target,
+              const gl::Texture& source, float sigma_mm, float before_mm);
+    void keep_unblurred();
 
+    const ScreenSurface& surface_;
     FullMethod method_;
+    bool early_test_;
     Taps taps_;
     Taps few_taps_; ///< for Gaussians narrower than a pixel
-    gl::Sampler light_sampler_, depth_sampler_;
-    gl::Texture half_blurred_, blurred_[2], sum_;
-    gl::Framebuffer half_target_, targets_[2], sum_target_;
-    PixelRect rect_;
-    int next_ = 0;
+    gl::Program copy_, weigh_;
+    gl::Sampler light_sampler_;
+    gl::Texture half_blurred_, sum_;
+    std::vector<gl::Texture> blurred_; ///< one; or one for each Gaussian, where all are kept
+    std::vector<gl::Framebuffer> targets_;
+    gl::Framebuffer half_target_, sum_target_;
+    // Of the frame:
+    const gl::Texture* unblurred_ = nullptr;
+    const gl::Texture* source_ = nullptr;
+    std::size_t next_ = 0;
+    bool sum_started_ = false;
+    glm::vec3 weight_{0};
+    std::vector<glm::vec3> kept_weights_; ///< of the unblurred light and of blurred_
 };
-
-/// Bind a framebuffer and let only the rectangle be drawn until end_rect().
-void begin_rect(const gl::Framebuffer& target, const PixelRect& rect);
-void end_rect();
-
-/// The defines of screen_metric.glsl.
-inline Defines metric_defines(Foreshortening foreshortening) {
-    return {{"PUBLISHED_FORESHORTENING", foreshortening == Foreshortening::published ? 1 : 0}};
-}
 
 /// The format of the targets that a method blurs into.
 GLenum blur_format(const FullMethod& method);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "shader_library.h"
 
@@ -19,10 +20,13 @@ constexpr float narrowest_px = 0.2f;
 constexpr float half_resolution_px = 2.5f;
 constexpr float half_resolution_variance_px2 = 1;
 
+// Nor may it be much narrower where the skin is farthest.
+constexpr float farthest_half_resolution_px = 1.25f;
+
 ScreenGeometry geometry(const LitFrame& lit, const scene::Camera& camera) {
     return {camera.focal_px(),
             0.5f * glm::vec2(static_cast<float>(camera.width), static_cast<float>(camera.height)),
-            camera.height, lit.rect, 1};
+            camera.height, lit.skin, lit.nearest_mm};
 }
 
 /// The rectangle at half the resolution, rounded outwards.
@@ -34,79 +38,89 @@ PixelRect half_of(const PixelRect& rect) {
 
 } // namespace
 
-ScreenSpace::Half::Half(int width, int height, const FullMethod& method)
+ScreenSpace::Half::Half(int width, int height, const FullMethod& method, std::size_t gaussians,
+                        bool early_test)
     : halve(load_screen_program("halve_skin.frag")), enlarge(load_screen_program("enlarge_skin.frag")),
       source(blur_format(method), width, height), depth_mm(GL_R32F, width, height),
-      target({&source, &depth_mm}), surface(width, height), blur(width, height, method) {}
+      target({&source, &depth_mm}), level(width, height, method, gaussians, early_test) {}
 
-ScreenSpace::ScreenSpace(int width, int height, const optics::Profile& profile, const Methods& methods)
-    : methods_(methods), profile_(profile), surface_(width, height), blur_(width, height, methods.full),
-      jittered_(load_screen_program("screen_jittered.frag", metric_defines(methods.jittered.foreshortening))),
-      scattered_(light_format(), width, height), scattered_target_({&scattered_}) {
-    if (methods.full.half_resolution) {
-        half_ = std::make_unique<Half>((width + 1) / 2, (height + 1) / 2, methods.full);
-    }
-    scattered_target_.clear_color(0, glm::vec4(0)); // only the skin's rectangle is drawn
-    const bool hable = methods.jittered.taps == 13;
+ScreenSpace::Jittered::Jittered(int width, int height, const optics::Profile& profile,
+                                const JitteredMethod& method, bool early_test)
+    : surface(width, height, method.foreshortening, method.stretch),
+      program(load_screen_program("screen_jittered.frag", {{"EARLY_TEST", early_test ? 1 : 0}})),
+      scattered(light_format(), width, height), target({&scattered}, &surface.depth_buffer()) {
+    target.clear_color(0, glm::vec4(0)); // only skin is drawn
+    const bool hable = method.taps == 13;
     std::vector<glm::vec2> offsets_mm;
     std::vector<glm::vec3> tap_weights;
     for (const optics::Tap& tap :
-         hable ? optics::hable_kernel() : optics::sunflower_kernel(profile, methods.jittered.taps)) {
-        offsets_mm.push_back(tap.offset * (hable ? methods.jittered.unit_mm : 1));
+         hable ? optics::hable_kernel() : optics::sunflower_kernel(profile, method.taps)) {
+        offsets_mm.push_back(tap.offset * (hable ? method.unit_mm : 1));
         tap_weights.push_back(tap.weight);
     }
-    jittered_.set("tap_count", static_cast<int>(offsets_mm.size()));
-    jittered_.set("tap_offsets_mm", offsets_mm);
-    jittered_.set("tap_weights", tap_weights);
+    program.set("tap_count", static_cast<int>(offsets_mm.size()));
+    program.set("tap_offsets_mm", offsets_mm);
+    program.set("tap_weights", tap_weights);
 }
 
-void ScreenSpace::find_surface(const LitFrame& lit, const scene::Camera& camera) {
-    surface_.find(lit.depth_mm, geometry(lit, camera));
+ScreenSpace::ScreenSpace(int width, int height, const optics::Profile& profile, const Methods& methods,
+                         const Switches& switches)
+    : width_(width), height_(height), methods_(methods), switches_(switches), profile_(profile) {}
+
+/// The depth from which on a Gaussian is too narrow to be seen.
+float ScreenSpace::seen_before_mm(float sigma_mm, float kernel_px_mm) const {
+    return switches_.level_of_detail ? sigma_mm * kernel_px_mm / narrowest_px
+                                     : std::numeric_limits<float>::infinity();
 }
 
 const gl::Texture& ScreenSpace::full(const LitFrame& lit, const scene::Camera& camera) {
-    find_surface(lit, camera);
-    blur_.begin(lit.rect);
-    const Stretch& stretch = methods_.full.stretch;
-    const float kernel_px_mm = stretch.alpha ? *stretch.alpha * published_depth_unit_mm : camera.focal_px();
-    const float widest_px_per_mm = kernel_px_mm / lit.nearest_mm;
-    const float middle_px_per_mm = kernel_px_mm / lit.middle_mm;
-    const gl::Texture* source = &lit.diffuse;
-    double reached_mm2 = 0;     // variance of the source
-    glm::vec3 carried_share{0}; // of Gaussians too narrow to be seen
-    bool at_half = false;
+    if (!full_) {
+        full_ = std::make_unique<Level>(width_, height_, methods_.full, profile_.gaussians.size(),
+                                        switches_.early_test);
+    }
+    counts_ = {};
+    full_->surface.find(lit.depth_mm, geometry(lit, camera));
+    full_->blur.begin(lit.diffuse);
+    const float kernel_px_mm = full_->surface.kernel_px_mm();
+    double reached_mm2 = 0; // variance of the source
+    ScreenBlur* blur = &full_->blur;
     for (const optics::Gaussian& gaussian : profile_.gaussians) {
-        const auto share = glm::vec3(gaussian.weight);
+        const auto weight = glm::vec3(gaussian.weight);
         const auto sigma_mm =
             static_cast<float>(std::sqrt(std::max(gaussian.variance_mm2 - reached_mm2, 0.0)));
-        const bool last = &gaussian == &profile_.gaussians.back();
-        if (!methods_.full.published_taps && sigma_mm * widest_px_per_mm < narrowest_px && !last) {
-            carried_share += share;
+        const float before_mm = seen_before_mm(sigma_mm, kernel_px_mm);
+        if (before_mm <= lit.nearest_mm) {
+            blur->skip(weight);
+            ++counts_.skipped;
             continue;
         }
+        const bool everywhere = before_mm > lit.farthest_mm;
         float wanted_mm = sigma_mm;
-        if (half_ && !at_half && carried_share == glm::vec3(0) &&
-            sigma_mm * middle_px_per_mm >= half_resolution_px) {
-            begin_half(*source, lit, camera);
-            source = &half_->source;
-            at_half = true;
-            wanted_mm = std::sqrt(sigma_mm * sigma_mm -
-                                  half_resolution_variance_px2 / (middle_px_per_mm * middle_px_per_mm));
+        const float middle_px = sigma_mm * kernel_px_mm / lit.middle_mm();
+        if (methods_.full.half_resolution && blur == &full_->blur && middle_px >= half_resolution_px &&
+            sigma_mm * kernel_px_mm / lit.farthest_mm >= farthest_half_resolution_px) {
+            begin_half(full_->blur.blurred(), lit, camera);
+            blur = &half_->level.blur;
+            wanted_mm *= std::sqrt(1 - half_resolution_variance_px2 / (middle_px * middle_px));
         }
-        ScreenBlur& blur = at_half ? half_->blur : blur_;
-        const ScreenSurface& surface = at_half ? half_->surface : surface_;
-        source = &blur.blur(surface, *source, wanted_mm, sigma_mm * widest_px_per_mm, share,
-                            at_half ? half_->source : lit.diffuse, carried_share);
-        carried_share = glm::vec3(0);
+        blur->blur(wanted_mm, sigma_mm * kernel_px_mm / lit.nearest_mm, weight, everywhere ? 0 : before_mm);
+        ++(everywhere ? counts_.run : counts_.in_part);
+        counts_.at_half += blur == &full_->blur ? 0 : 1;
+        counts_.passes += 2;
         reached_mm2 = gaussian.variance_mm2;
     }
-    if (at_half) {
-        end_half(lit);
+    if (blur == &full_->blur) {
+        return full_->blur.sum();
     }
-    return blur_.sum();
+    end_half(lit);
+    return full_->blur.blended();
 }
 
 void ScreenSpace::begin_half(const gl::Texture& source, const LitFrame& lit, const scene::Camera& camera) {
+    if (!half_) {
+        half_ = std::make_unique<Half>((width_ + 1) / 2, (height_ + 1) / 2, methods_.full,
+                                       profile_.gaussians.size(), switches_.early_test);
+    }
     ScreenGeometry half = geometry(lit, camera);
     half.focal_px *= 0.5f;
     half.middle_px *= 0.5f;
@@ -123,50 +137,62 @@ void ScreenSpace::begin_half(const gl::Texture& source, const LitFrame& lit, con
     draw_screen();
     end_rect();
     glDisable(GL_FRAMEBUFFER_SRGB);
-    half_->surface.find(half_->depth_mm, half);
-    half_->blur.begin(half.rect);
+    half_->level.surface.find(half_->depth_mm, half);
+    half_->level.blur.begin(half_->source);
 }
 
+/// Blend what was blurred at half the resolution into the sum.
 void ScreenSpace::end_half(const LitFrame& lit) {
+    const gl::Texture& sum = half_->level.blur.sum();
+    const gl::Framebuffer& target = full_->blur.sum_target();
+    const glm::vec3 share = full_->blur.add_weight(half_->level.blur.weight());
     half_->enlarge.use();
     half_->enlarge.set("sigma_mm", static_cast<float>(std::sqrt(profile_.gaussians.back().variance_mm2)));
-    half_->blur.sum().bind(0);
+    sum.bind(0);
     lit.depth_mm.bind(1);
     half_->depth_mm.bind(2);
-    blur_.sum_target().bind();
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(lit.rect.x, lit.rect.y, lit.rect.width, lit.rect.height);
+    begin_rect(target, lit.skin);
     glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE);
+    glBlendFunc(GL_CONSTANT_COLOR, GL_ONE_MINUS_CONSTANT_COLOR);
+    glBlendColor(share.r, share.g, share.b, 1);
     draw_screen();
     glDisable(GL_BLEND);
     end_rect();
 }
 
 const gl::Texture& ScreenSpace::jittered(const LitFrame& lit, const scene::Camera& camera) {
-    find_surface(lit, camera);
-    jittered_.use();
-    surface_.bind(jittered_, methods_.jittered.stretch);
+    if (!jittered_) {
+        jittered_ =
+            std::make_unique<Jittered>(width_, height_, profile_, methods_.jittered, switches_.early_test);
+    }
+    Jittered& jittered = *jittered_;
+    jittered.surface.find(lit.depth_mm, geometry(lit, camera));
+    jittered.program.use();
+    jittered.surface.bind(jittered.program);
     lit.diffuse.bind(0);
-    begin_rect(scattered_target_, lit.rect);
-    draw_screen();
+    begin_rect(jittered.target, lit.skin);
+    {
+        const EarlyTest test(jittered.program, jittered.surface, 0, switches_.early_test);
+        draw_screen();
+    }
     end_rect();
-    return scattered_;
+    return jittered.scattered;
 }
 
 const gl::Texture& ScreenSpace::narrowest(const LitFrame& lit, const scene::Camera& camera) {
     const auto sigma_mm = static_cast<float>(std::sqrt(profile_.gaussians.front().variance_mm2));
-    const float widest_px = sigma_mm * camera.focal_px() / lit.nearest_mm;
-    if (widest_px < narrowest_px) {
+    const float before_mm = seen_before_mm(sigma_mm, camera.focal_px());
+    if (before_mm <= lit.nearest_mm) {
         return lit.diffuse;
     }
     if (!narrowest_) {
-        narrowest_ = std::make_unique<ScreenBlur>(camera.width, camera.height, FullMethod{});
+        narrowest_ = std::make_unique<Level>(width_, height_, FullMethod{}, 1, switches_.early_test);
     }
-    find_surface(lit, camera);
-    narrowest_->begin(lit.rect);
-    return narrowest_->blur(surface_, lit.diffuse, sigma_mm, widest_px, glm::vec3(0), lit.diffuse,
-                            glm::vec3(0));
+    narrowest_->surface.find(lit.depth_mm, geometry(lit, camera));
+    narrowest_->blur.begin(lit.diffuse);
+    narrowest_->blur.blur(sigma_mm, sigma_mm * camera.focal_px() / lit.nearest_mm, glm::vec3(1),
+                          before_mm > lit.farthest_mm ? 0 : before_mm);
+    return narrowest_->blur.blurred();
 }
 
 } // namespace renderer::passes

@@ -4,20 +4,28 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include <renderer/gl/objects.h>
 #include <renderer/passes/pipeline.h>
 
 #include "lit_frame.h"
 #include "screen_blur.h"
+#include "screen_surface.h"
 
 namespace renderer::passes {
+
+/// What of ss_full was left out in a frame.
+struct GaussianCounts {
+    int run = 0, in_part = 0, skipped = 0; ///< Gaussians: everywhere; where they can be seen; nowhere
+    int at_half = 0;                       ///< of those run, at half the resolution
+    int passes = 0;                        ///< over the skin
+};
 
 /// Subsurface scattering on the screen [Jimenez2009].
 class ScreenSpace {
 public:
-    ScreenSpace(int width, int height, const optics::Profile& profile, const Methods& methods);
+    ScreenSpace(int width, int height, const optics::Profile& profile, const Methods& methods,
+                const Switches& switches);
 
     /// The profile's Gaussians, two 1D passes each, one blurring the result of the other, and their weighted
     /// sum.
@@ -26,30 +34,48 @@ public:
     const gl::Texture& jittered(const LitFrame& lit, const scene::Camera& camera);
     /// The lit frame blurred by the profile's narrowest Gaussian, where that can be seen.
     const gl::Texture& narrowest(const LitFrame& lit, const scene::Camera& camera);
+    /// Of the frame that full() made last.
+    const GaussianCounts& counts() const { return counts_; }
 
 private:
-    /// The same at half the resolution, for wide Gaussians.
-    struct Half {
-        Half(int width, int height, const FullMethod& method);
-        gl::Program halve, enlarge;
-        gl::Texture source, depth_mm;
-        gl::Framebuffer target;
+    /// A surface and blurs on it.
+    struct Level {
+        Level(int width, int height, const FullMethod& method, std::size_t gaussians, bool early_test)
+            : surface(width, height, method.foreshortening, method.stretch),
+              blur(surface, width, height, method, gaussians, early_test) {}
         ScreenSurface surface;
         ScreenBlur blur;
     };
-    void find_surface(const LitFrame& lit, const scene::Camera& camera);
+    /// The same at half the resolution, for wide Gaussians.
+    struct Half {
+        Half(int width, int height, const FullMethod& method, std::size_t gaussians, bool early_test);
+        gl::Program halve, enlarge;
+        gl::Texture source, depth_mm;
+        gl::Framebuffer target;
+        Level level;
+    };
+    /// Taps turned at random.
+    struct Jittered {
+        Jittered(int width, int height, const optics::Profile& profile, const JitteredMethod& method,
+                 bool early_test);
+        ScreenSurface surface;
+        gl::Program program;
+        gl::Texture scattered;
+        gl::Framebuffer target;
+    };
+    float seen_before_mm(float sigma_mm, float kernel_px_mm) const;
     void begin_half(const gl::Texture& source, const LitFrame& lit, const scene::Camera& camera);
     void end_half(const LitFrame& lit);
 
+    int width_, height_;
     Methods methods_;
+    Switches switches_;
     optics::Profile profile_;
-    ScreenSurface surface_;
-    ScreenBlur blur_;
+    // Each made when first needed; narrowest_ is of ts, which no setting of ss_full touches.
+    std::unique_ptr<Level> full_, narrowest_;
     std::unique_ptr<Half> half_;
-    std::unique_ptr<ScreenBlur> narrowest_; ///< of ts, which no setting of ss_full touches
-    gl::Program jittered_;
-    gl::Texture scattered_;
-    gl::Framebuffer scattered_target_;
+    std::unique_ptr<Jittered> jittered_;
+    GaussianCounts counts_;
 };
 
 } // namespace renderer::passes

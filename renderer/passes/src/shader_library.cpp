@@ -63,11 +63,8 @@ std::string shader_code_digest() {
     return support::sha256(all);
 }
 
-gl::Program load_program(const std::string& vertex_file, const std::string& fragment_file) {
-    return gl::Program({stage(GL_VERTEX_SHADER, vertex_file), stage(GL_FRAGMENT_SHADER, fragment_file)});
-}
-
-gl::Program load_screen_program(const std::string& fragment_file, const Defines& defines) {
+gl::Program load_program(const std::string& vertex_file, const std::string& fragment_file,
+                         const Defines& defines) {
     gl::Stage fragment = stage(GL_FRAGMENT_SHADER, fragment_file);
     std::string lines;
     for (const auto& [name, value] : defines) {
@@ -79,7 +76,11 @@ gl::Program load_screen_program(const std::string& fragment_file, const Defines&
                                  fragment.source.begin() + static_cast<std::ptrdiff_t>(after_version), '\n') +
                       1;
     fragment.source.insert(after_version, lines + fmt::format("#line {} 0\n", line));
-    return gl::Program({stage(GL_VERTEX_SHADER, "screen.vert"), fragment});
+    return gl::Program({stage(GL_VERTEX_SHADER, vertex_file), fragment});
+}
+
+gl::Program load_screen_program(const std::string& fragment_file, const Defines& defines) {
+    return load_program("screen.vert", fragment_file, defines);
 }
 
 void draw_screen() { glDrawArrays(GL_TRIANGLES, 0, 3); }

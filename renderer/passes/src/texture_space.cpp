@@ -47,8 +47,8 @@ gl::Texture map_texture(GLenum format, int size, int levels = 1) {
 TextureSpace::TextureSpace(const scene::Model& source, const GpuModel& model, const optics::Profile& profile,
                            const Methods& methods, int width, int height, int samples)
     : size_(methods.ts.map_size), samples_(samples), unit_mm_(model.extent_mm() / static_cast<float>(size_)),
-      weights_(profile_weights(profile)), geometry_(load_program("unwrapped.vert", "uv_geometry.frag")),
-      irradiance_(load_program("unwrapped.vert", "irradiance.frag")),
+      weights_(profile_weights(profile)), irradiance_("unwrapped.vert", "irradiance.frag"),
+      geometry_(load_program("unwrapped.vert", "uv_geometry.frag")),
       dilate_(load_screen_program("dilate.frag")), blur_(load_screen_program("uv_blur.frag")),
       gather_(load_program("surface.vert", "gather.frag")),
       resolve_(load_screen_program("resolve_color.frag")),
@@ -78,7 +78,7 @@ TextureSpace::TextureSpace(const scene::Model& source, const GpuModel& model, co
     blur_.set("widest_px", 0.125f * static_cast<float>(size_));
 
     for (const scene::Mesh& mesh : source.meshes) {
-        if (!mesh.has_uv) {
+        if (!mesh.has_uv && source.materials[mesh.material].scatters) {
             throw support::input_error(
                 "{}: expected texture coordinates (TEXCOORD_0) for the shader ts, found a mesh "
                 "without",
@@ -88,7 +88,7 @@ TextureSpace::TextureSpace(const scene::Model& source, const GpuModel& model, co
     for (std::size_t material = 0; material < source.materials.size(); ++material) {
         const bool used = std::any_of(source.meshes.begin(), source.meshes.end(),
                                       [&](const scene::Mesh& mesh) { return mesh.material == material; });
-        if (used) {
+        if (used && source.materials[material].scatters) {
             maps_.push_back(unwrapped(source, model, material));
         }
     }
@@ -237,18 +237,21 @@ void TextureSpace::blur(const gl::Texture& source, const gl::Texture& target, co
 }
 
 void TextureSpace::light(const GpuModel& model, const SurfaceLook& look, const Light& light,
-                         const ShadowMap& shadow) {
+                         const std::vector<std::size_t>& beams, const ShadowMap& shadow,
+                         const Switches& switches) {
     for (Map& map : maps_) {
         const gl::Framebuffer target({&raw_});
         target.bind();
         target.clear_color(0, glm::vec4(0));
-        irradiance_.use();
-        irradiance_.set("uv_origin", map.uv_origin);
-        irradiance_.set("uv_scale", map.uv_scale);
-        look.bind(irradiance_);
-        shadow.bind(irradiance_, light);
+        const gl::Program& irradiance =
+            irradiance_.with(look.defines(model.traits(map.material), beams.size(), switches));
+        irradiance.use();
+        irradiance.set("uv_origin", map.uv_origin);
+        irradiance.set("uv_scale", map.uv_scale);
+        look.bind(irradiance);
+        shadow.bind(irradiance, light, beams);
         // In the unwrapped mesh a triangle's winding says nothing about its side.
-        model.bind_material(irradiance_, map.material, false);
+        model.bind_material(irradiance, map.material, false);
         for (const GpuModel::Mesh& mesh : model.meshes()) {
             if (mesh.material == map.material) {
                 GpuModel::draw_mesh(mesh);
@@ -272,39 +275,46 @@ void TextureSpace::light(const GpuModel& model, const SurfaceLook& look, const L
     }
 }
 
-void TextureSpace::draw_gathered(const GpuModel& model) const {
+void TextureSpace::draw_gathered(const GpuModel& model, const GpuModel::View& view) const {
     const ReversedDepth depth;
-    for (const Map& map : maps_) {
-        model.bind_material(gather_, map.material, true); // for its culling
+    for (const GpuModel::Part& part : view.parts) {
+        const std::size_t material = model.meshes()[part.mesh].material;
+        model.bind_material(gather_, material, true); // for its culling
+        const auto found = std::find_if(maps_.begin(), maps_.end(),
+                                        [&](const Map& map) { return map.material == material; });
+        if (found == maps_.end()) { // not skin, but it may stand before some
+            gather_.set("count", 0);
+            model.draw_part(part);
+            continue;
+        }
+        const Map& map = *found;
+        gather_.set("count", static_cast<int>(weights_.size()));
         for (std::size_t k = 0; k < map.gaussians.size(); ++k) {
             map.gaussians[k].bind(static_cast<GLuint>(k));
         }
         gather_.set("uv_origin", map.uv_origin);
         gather_.set("uv_scale", map.uv_scale);
-        for (const GpuModel::Mesh& mesh : model.meshes()) {
-            if (mesh.material == map.material) {
-                GpuModel::draw_mesh(mesh);
-            }
-        }
+        model.draw_part(part);
     }
     glDisable(GL_CULL_FACE);
 }
 
-const gl::Texture& TextureSpace::gather(const GpuModel& model, const LitFrame& lit,
-                                        const gl::Texture& narrowest, const scene::Camera& camera) {
+const gl::Texture& TextureSpace::gather(const GpuModel& model, const GpuModel::View& view,
+                                        const LitFrame& lit, const gl::Texture& narrowest,
+                                        const scene::Camera& camera) {
     // Sum the Gaussians at each sample of the visible surface.
-    gather_target_.bind();
+    begin_rect(gather_target_, lit.rect);
     gather_target_.clear_color(0, glm::vec4(0));
     gather_target_.clear_depth(0);
     gather_.use();
-    set_camera(gather_, model.seen_by(camera), model.bounds());
+    set_camera(gather_, camera, model.bounds());
     gather_.set("weights", weights_);
-    gather_.set("count", static_cast<int>(weights_.size()));
     lit.diffuse.bind(6);
-    draw_gathered(model);
+    draw_gathered(model, view);
+    end_rect();
     const gl::Texture* gathered = &gathered_samples_;
     if (samples_ > 1) {
-        begin_rect(gathered_target_, lit.rect);
+        begin_rect(gathered_target_, lit.skin);
         resolve_.use();
         resolve_.set("samples", samples_);
         gathered_samples_.bind(0);
@@ -313,7 +323,7 @@ const gl::Texture& TextureSpace::gather(const GpuModel& model, const LitFrame& l
         gathered = &gathered_;
     }
 
-    begin_rect(scattered_target_, lit.rect);
+    begin_rect(scattered_target_, lit.skin);
     add_narrowest_.use();
     add_narrowest_.set("narrowest_weight", narrowest_weight_);
     narrowest.bind(0);

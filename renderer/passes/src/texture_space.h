@@ -11,6 +11,7 @@
 
 #include "gpu_model.h"
 #include "lit_frame.h"
+#include "program_variants.h"
 #include "screen_blur.h"
 #include "shadow_map.h"
 
@@ -27,11 +28,12 @@ public:
                  const Methods& methods, int width, int height, int samples);
 
     /// Light the maps and blur them. Once a light.
-    void light(const GpuModel& model, const SurfaceLook& look, const Light& light, const ShadowMap& shadow);
+    void light(const GpuModel& model, const SurfaceLook& look, const Light& light,
+               const std::vector<std::size_t>& beams, const ShadowMap& shadow, const Switches& switches);
 
     /// The weighted sum of the Gaussians on the screen, `narrowest` being the first of them. Once a view.
-    const gl::Texture& gather(const GpuModel& model, const LitFrame& lit, const gl::Texture& narrowest,
-                              const scene::Camera& camera);
+    const gl::Texture& gather(const GpuModel& model, const GpuModel::View& view, const LitFrame& lit,
+                              const gl::Texture& narrowest, const scene::Camera& camera);
 
     const std::vector<std::string>& warnings() const { return warnings_; }
 
@@ -46,7 +48,7 @@ private:
     };
     Map unwrapped(const scene::Model& source, const GpuModel& model, std::size_t material);
     void draw_charts(const scene::Model& source, const GpuModel& model, const Map& map) const;
-    void draw_gathered(const GpuModel& model) const;
+    void draw_gathered(const GpuModel& model, const GpuModel::View& view) const;
     void blur(const gl::Texture& source, const gl::Texture& target, const Map& map, std::size_t step);
 
     int size_, samples_;
@@ -54,7 +56,8 @@ private:
     std::vector<float> sigmas_mm_;
     std::vector<glm::vec3> weights_; ///< of the Gaussians that the maps hold
     glm::vec3 narrowest_weight_{0};
-    gl::Program geometry_, irradiance_, dilate_, blur_, gather_, resolve_, add_narrowest_;
+    ProgramVariants irradiance_;
+    gl::Program geometry_, dilate_, blur_, gather_, resolve_, add_narrowest_;
     RatioTable ratios_;
     gl::Sampler nearest_; ///< with no chart beyond the edge
     gl::Texture raw_, half_blurred_, irradiance_map_;

@@ -47,6 +47,7 @@ void check(const Settings& settings, const scene::Look& look, const scene::Model
     bool any = false;
     for (const scene::Mesh& mesh : model.meshes) {
         any = any || mesh.indices.size() >= 3;
+        require(model.materials[mesh.material].scatters, "model", "materials that scatter");
     }
     require(any, "model", "at least one triangle");
 }
@@ -56,9 +57,12 @@ void check(const scene::Camera& camera, const scene::Light& light) {
     require(finite(camera.eye_mm) && finite(camera.target_mm) && camera.eye_mm != camera.target_mm, "camera",
             "finite places, eye and target apart");
     require(camera.fov_rad > 0 && camera.fov_rad < 3.1415f, "field of view", "0 to 180 degrees");
-    require(finite(light.direction) && std::abs(glm::length(light.direction) - 1) < 1e-3f, "light direction",
-            "a unit vector");
-    require(finite(light.irradiance) && finite(light.ambient_irradiance), "light", "finite irradiance");
+    require(light.further.size() < scene::most_beams, "light", "at most 8 beams");
+    for (const scene::Beam& beam : light.beams()) {
+        require(finite(beam.direction) && std::abs(glm::length(beam.direction) - 1) < 1e-3f,
+                "light direction", "a unit vector");
+        require(finite(beam.irradiance) && finite(light.ambient_irradiance), "light", "finite irradiance");
+    }
 }
 
 } // namespace
@@ -97,8 +101,8 @@ struct Reference::State {
                     Hit hit;
                     hit.place = *place;
                     hit.point = skin.point(*place, view.eye_mm());
-                    hit.is_lit = skin.lit(hit.point, light);
-                    hit.entering = skin.entering(hit.point, light, hit.is_lit);
+                    hit.reached = skin.lit(hit.point, light);
+                    hit.entering = skin.entering(hit.point, light, hit.reached);
                     hit.footprint_mm = view.footprint_mm(view.depth_mm(hit.point.position_mm));
                     hit.pixel = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(view.width()) +
                                 static_cast<std::uint32_t>(x);
@@ -123,7 +127,7 @@ struct Reference::State {
             const Hit& hit = tile[i];
             const glm::vec3 V(glm::normalize(view.eye_mm() - hit.point.position_mm));
             const glm::vec3 light_out =
-                scattered[i] * skin.leaving(hit.point, V) + skin.reflected(hit.point, light, V, hit.is_lit);
+                scattered[i] * skin.leaving(hit.point, V) + skin.reflected(hit.point, light, V, hit.reached);
             pixel(hit.pixel) += glm::vec4(finite(light_out) ? light_out : glm::vec3(0), 1);
         }
         const auto count = static_cast<float>(pattern.size());

@@ -21,7 +21,7 @@ namespace renderer::reference {
 struct Hit {
     Place place;
     SkinPoint point;
-    bool is_lit = false;
+    Reached reached;
     glm::vec3 entering{0};   ///< light that enters there
     double footprint_mm = 0; ///< of the pixel
     std::uint32_t pixel = 0; ///< any number that pixels differ in

@@ -155,20 +155,32 @@ SkinPoint Skin::point(const Place& place, const glm::dvec3& eye_mm) const {
     return point;
 }
 
-bool Skin::lit(const SkinPoint& point, const scene::Light& light) const {
-    if (glm::dot(point.normal, light.direction) <= 0) {
-        return false;
+Reached Skin::lit(const SkinPoint& point, const scene::Light& light) const {
+    const auto reaches = [&](const scene::Beam& beam) {
+        return glm::dot(point.normal, beam.direction) > 0 &&
+               !geometry_.blocked({point.lifted_mm, beam.direction, geometry_.epsilon_mm(),
+                                   std::numeric_limits<double>::infinity()});
+    };
+    Reached reached;
+    reached[0] = reaches(light);
+    for (std::size_t i = 0; i < light.further.size(); ++i) {
+        reached[i + 1] = reaches(light.further[i]);
     }
-    return !geometry_.blocked(
-        {point.lifted_mm, light.direction, geometry_.epsilon_mm(), std::numeric_limits<double>::infinity()});
+    return reached;
 }
 
-glm::vec3 Skin::entering(const SkinPoint& point, const scene::Light& light, bool is_lit) const {
-    const float NoL = glm::dot(point.mapped, light.direction);
+glm::vec3 Skin::entering(const SkinPoint& point, const scene::Light& light, const Reached& reached) const {
     glm::vec3 irradiance = light.ambient_irradiance * (0.5f + 0.5f * point.mapped.y);
-    if (is_lit && NoL > 0) {
-        const float transmitted = 1 - look_.specular_intensity * specular_albedo(point, NoL);
-        irradiance += light.irradiance * (NoL * transmitted);
+    const auto add = [&](const scene::Beam& beam, bool is_lit) {
+        const float NoL = glm::dot(point.mapped, beam.direction);
+        if (is_lit && NoL > 0) {
+            const float transmitted = 1 - look_.specular_intensity * specular_albedo(point, NoL);
+            irradiance += beam.irradiance * (NoL * transmitted);
+        }
+    };
+    add(light, reached[0]);
+    for (std::size_t i = 0; i < light.further.size(); ++i) {
+        add(light.further[i], reached[i + 1]);
     }
     return irradiance * power(point.color, look_.texture_mix) / pi;
 }
@@ -180,12 +192,23 @@ glm::vec3 Skin::leaving(const SkinPoint& point, const glm::vec3& V) const {
 }
 
 glm::vec3 Skin::reflected(const SkinPoint& point, const scene::Light& light, const glm::vec3& V,
-                          bool is_lit) const {
-    if (!is_lit || look_.specular_intensity == 0) {
+                          const Reached& reached) const {
+    if (reached.none() || look_.specular_intensity == 0) {
         return glm::vec3(0);
     }
-    const float lobe = kelemen_szirmay_kalos(point.mapped, light.direction, V, point.slope, look_.fresnel_f0);
-    return light.irradiance * (look_.specular_intensity * lobe / pi);
+    glm::vec3 sum(0);
+    const auto add = [&](const scene::Beam& beam, bool is_lit) {
+        if (is_lit) {
+            const float lobe =
+                kelemen_szirmay_kalos(point.mapped, beam.direction, V, point.slope, look_.fresnel_f0);
+            sum += beam.irradiance * (look_.specular_intensity * lobe / pi);
+        }
+    };
+    add(light, reached[0]);
+    for (std::size_t i = 0; i < light.further.size(); ++i) {
+        add(light.further[i], reached[i + 1]);
+    }
+    return sum;
 }
 
 } // namespace renderer::reference

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <bitset>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -25,6 +26,9 @@ struct SkinPoint {
     std::size_t material = 0;
 };
 
+/// Bit k: beam k of the light is seen from a point.
+using Reached = std::bitset<scene::most_beams>;
+
 /// The materials of a model under a look, and their light: the equations of material.glsl and lit.frag,
 /// without filters of textures and shadows.
 class Skin {
@@ -33,16 +37,16 @@ public:
 
     /// `eye_mm` decides which side of double-sided materials is meant.
     SkinPoint point(const Place& place, const glm::dvec3& eye_mm) const;
-    /// Whether the light reaches the point; never if the interpolated normal faces away.
-    bool lit(const SkinPoint& point, const scene::Light& light) const;
+    /// Which of the beams reach the point, none from which the interpolated normal faces away.
+    Reached lit(const SkinPoint& point, const scene::Light& light) const;
     /// Light that enters, with the part of the colour that is applied before scattering, as the radiance that
     /// it would leave with.
-    glm::vec3 entering(const SkinPoint& point, const scene::Light& light, bool is_lit) const;
+    glm::vec3 entering(const SkinPoint& point, const scene::Light& light, const Reached& reached) const;
     /// What scattered light is multiplied with as it leaves towards the unit vector V.
     glm::vec3 leaving(const SkinPoint& point, const glm::vec3& V) const;
     /// Radiance reflected off the surface towards V.
     glm::vec3 reflected(const SkinPoint& point, const scene::Light& light, const glm::vec3& V,
-                        bool is_lit) const;
+                        const Reached& reached) const;
 
 private:
     struct Material {

@@ -35,6 +35,12 @@ struct CameraSettings {
     std::vector<Distance> distances;
 };
 
+/// A light beside the one whose azimuth is studied; it does not turn with it.
+struct FurtherLight {
+    double azimuth_deg = 0, elevation_deg = 45;
+    Rgb irradiance{}; ///< of a surface facing the light, linear Rec. 709
+};
+
 struct LightSettings {
     double elevation_deg = 45;
     std::vector<int> azimuths_deg; ///< 0 in front of the face, turning about +Y; 0 ... 359
@@ -42,6 +48,7 @@ struct LightSettings {
     Rgb ambient{};                 ///< irradiance from the upper hemisphere, linear Rec. 709
     int shadow_map_size = 4096;    ///< texels
     double shadow_softness_mm = 0; ///< standard deviation of the shadow filter
+    std::vector<FurtherLight> further;
 };
 
 struct SkinSettings {
@@ -103,6 +110,24 @@ struct ModelSettings {
     double longest_edge_mm = 3; ///< the mesh is rounded off until its mean edge is no longer than this
     double head_height_mm = 232;
     std::optional<std::array<double, 3>> head_centre_mm; ///< else the middle of the top head_height_mm
+    std::vector<std::string> not_skin;                   ///< names of materials that light does not enter
+};
+
+/// Where a copy of the model stands: turned about the vertical through the origin, then moved.
+struct Placement {
+    std::array<double, 3> place_mm{};
+    double turn_deg = 0;
+};
+
+/// A grey plane that faces the camera, centred before the head.
+struct ScreenSettings {
+    double z_mm = 0, width_mm = 0, height_mm = 0;
+};
+
+/// What stands before the camera.
+struct SceneSettings {
+    std::vector<Placement> heads; ///< empty: the model as it is
+    std::optional<ScreenSettings> screen;
 };
 
 /// The screen that participants see, and from where.
@@ -140,6 +165,7 @@ struct Protocol {
     FullSettings ss_full;
     ReferenceSettings reference;
     ModelSettings model;
+    SceneSettings scene;
     SessionSettings session;
     std::optional<DisplaySettings> display;
 };

@@ -49,10 +49,13 @@ class Texture {
 public:
     Texture() = default;
     Texture(GLenum internal_format, int width, int height, int levels = 1, int samples = 1);
+    /// Layers of one size, which a shader reads as a sampler2DArray.
+    static Texture array(GLenum internal_format, int width, int height, int layers);
 
     GLuint id() const { return handle_.id(); }
     int width() const { return width_; }
     int height() const { return height_; }
+    int layers() const { return layers_; }
     /// Copy pixels into level 0; rows are tightly packed, the first is texture row 0.
     void upload(GLenum format, GLenum type, const void* pixels);
     /// Filters and wrap mode; the defaults are nearest and clamp to edge.
@@ -62,7 +65,7 @@ public:
 
 private:
     Handle<delete_texture> handle_;
-    int width_ = 0, height_ = 0;
+    int width_ = 0, height_ = 0, layers_ = 1;
 };
 
 /// How a texture unit reads: takes the place of the texture's own filter and wrap mode while bound.
@@ -82,6 +85,8 @@ public:
     Framebuffer() = default;
     explicit Framebuffer(std::initializer_list<const Texture*> colors, const Texture* depth = nullptr);
     explicit Framebuffer(const std::vector<const Texture*>& colors, const Texture* depth = nullptr);
+    /// Over one layer of an array.
+    Framebuffer(const Texture& color, int layer, const Texture* depth = nullptr);
 
     GLuint id() const { return handle_.id(); }
     /// Bind it for drawing, with the viewport over all of it.
@@ -90,6 +95,8 @@ public:
     void clear_depth(float value) const;
 
 private:
+    void finish(const std::vector<GLenum>& buffers, const Texture& first, const Texture* depth);
+
     Handle<delete_framebuffer> handle_;
     int width_ = 0, height_ = 0;
 };
@@ -140,6 +147,8 @@ public:
     void set(const char* name, const std::vector<float>& values) const;
     void set(const char* name, const std::vector<glm::vec2>& values) const;
     void set(const char* name, const std::vector<glm::vec3>& values) const;
+    void set(const char* name, const std::vector<glm::mat4>& values) const;
+    void set(const char* name, const std::vector<int>& values) const;
 
 private:
     GLint location(const char* name) const { return glGetUniformLocation(id(), name); }

@@ -42,6 +42,12 @@ struct TextureSpaceMethod {
     bool unblurred_first = false;
 };
 
+/// How the Gaussians' weighted sum is made.
+enum class Accumulation {
+    on_the_fly,   ///< blended as each is done: three targets [JimenezGutierrez2010, section 7.3.3]
+    weighted_sum, ///< all kept, then summed in a pass of its own: a target each [Jimenez2009]
+};
+
 /// How a surface that is tilted away from the camera shortens kernels on the screen.
 enum class Foreshortening {
     published, ///< 1 / (1 + |tan|) along x and along y [Jimenez2009, Eqs. 2-3]
@@ -63,10 +69,11 @@ struct FullMethod {
     /// weights and places that give each Gaussian its variance, narrower than a pixel or not.
     bool published_taps = false;
     Foreshortening foreshortening = Foreshortening::exact;
-    bool reject_gaps = true;      ///< weigh taps by their distance in depth from the surface's plane, too
-    int target_bits = 0;          ///< 8, 16 or 32 a channel; 0: 16, or 32 where the driver is a CPU
-    bool half_resolution = true;  ///< wide Gaussians at half the resolution
-    Stretch stretch;              ///< published foreshortening alone reads beta
+    bool reject_gaps = true;     ///< weigh taps by their distance in depth from the surface's plane, too
+    int target_bits = 0;         ///< 8, 16 or 32 a channel; 0: 16, or 32 where the driver is a CPU
+    bool half_resolution = true; ///< wide Gaussians at half the resolution
+    Accumulation accumulation = Accumulation::on_the_fly;
+    Stretch stretch; ///< published foreshortening alone reads beta
 };
 
 /// The form of the 2009 and 2010 papers.
@@ -84,6 +91,22 @@ struct Methods {
     TextureSpaceMethod ts;
     JitteredMethod jittered;
     FullMethod full;
+};
+
+/// What is shared and what is skipped. Each is on unless it is to be measured; the image stays the same to
+/// the bit unless said otherwise.
+struct Switches {
+    bool share = true;         ///< nodes are kept from frame to frame; else each frame computes all it needs
+    bool cull = true;          ///< parts of meshes that are out of view or turned away are not drawn
+    bool front_to_back = true; ///< the nearest mesh is drawn first
+    bool specialise = true;    ///< programs without what a material or look has none of
+    bool skip_unlit = true;    ///< no shadow map for a light that lights nothing in view
+    bool rectangle = true;     ///< nothing runs outside of the pixels that can show the model
+    bool early_test = true;    ///< the skin's depth keeps blurs off other pixels; else a branch in the shader
+    /// Gaussians too narrow to be seen are left out, pixel by pixel: within 1/255.
+    bool level_of_detail = true;
+    /// Wait for the end of each node, so that costs() can tell what each took.
+    bool time_nodes = true;
 };
 
 /// Seconds spent in each kind of node since the pipeline was made, and how often it ran.
@@ -104,7 +127,8 @@ class Pipeline {
 public:
     /// Throws support::InputError if the look or the methods ask for more than the driver allows,
     /// support::Failure if it lacks the memory.
-    Pipeline(const scene::Model& model, const Look& look, const Methods& methods);
+    Pipeline(const scene::Model& model, const Look& look, const Methods& methods,
+             const Switches& switches = {});
     ~Pipeline();
     Pipeline(const Pipeline&) = delete;
     Pipeline& operator=(const Pipeline&) = delete;
@@ -113,7 +137,11 @@ public:
     /// if the shader is `ts`, for a model without usable texture coordinates: then nothing has been rendered.
     void prepare(Shader shader, const scene::Camera& camera, const Light& light);
 
-    /// Errors as prepare().
+    /// Draw a frame and leave it on the device. Errors as prepare().
+    void draw(Shader shader, const scene::Camera& camera, const Light& light, bool with_linear = false);
+    /// The frame that was drawn last. `with_linear` as it was drawn.
+    Frame read(bool with_linear = false);
+    /// Both.
     Frame render(Shader shader, const scene::Camera& camera, const Light& light, bool with_linear = false);
 
     const Costs& costs() const;

@@ -3,22 +3,40 @@
 
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include <glm/glm.hpp>
 
 #include <renderer/optics/profile.h>
 
 namespace renderer::scene {
 
-/// A light so far away that its rays are parallel.
-struct Light {
-    glm::vec3 direction{0, 0, 1};    ///< unit vector towards the light
-    glm::vec3 irradiance{0};         ///< of a surface that faces it, linear Rec. 709
+/// Parallel rays.
+struct Beam {
+    glm::vec3 direction{0, 0, 1}; ///< unit vector towards the light
+    glm::vec3 irradiance{0};      ///< of a surface that faces it, linear Rec. 709
+
+    bool operator==(const Beam&) const = default;
+};
+
+/// The light of an image: one or more lights so far away that their rays are parallel, and what comes from
+/// all around.
+struct Light : Beam {
+    std::vector<Beam> further;       ///< beside the first; at most most_beams in all
     glm::vec3 ambient_irradiance{0}; ///< from above, of a surface that faces up; none from below
     int shadow_map_size = 512;       ///< texels a side
     float shadow_softness_mm = 1;    ///< standard deviation of the filter at the shadow's edge
 
+    std::vector<Beam> beams() const {
+        std::vector<Beam> all{*this};
+        all.insert(all.end(), further.begin(), further.end());
+        return all;
+    }
+
     bool operator==(const Light&) const = default;
 };
+constexpr std::size_t most_beams = 8;
 
 /// All that is the same for all shaders, so that only the method of scattering differs.
 struct Look {

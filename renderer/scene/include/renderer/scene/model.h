@@ -30,6 +30,7 @@ struct Material {
     float normal_scale = 1;
     float roughness_factor = -1; ///< glTF's perceptual roughness in [0, 1]; negative: the file says nothing
     bool double_sided = false;
+    bool scatters = true; ///< light enters and leaves again elsewhere; else it is reflected where it falls
 };
 
 struct Vertex {
