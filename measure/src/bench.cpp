@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 
 #include <support/error.h>
+#include <support/gnuplot.h>
 
 #include "accuracy/report.h"
-#include "gnuplot.h"
 #include "outputs.h"
 #include "set/set_bench.h"
 
@@ -103,7 +103,7 @@ void run(Arguments& arguments) {
     std::optional<Outputs> outputs;
     if (!arguments.out.empty()) {
         outputs.emplace(arguments.out);
-        gnuplot_svg("set terminal svg\nplot x\n"); // a missing program is found before the long part
+        support::gnuplot_svg("set terminal svg\nplot x\n"); // a missing program is found before the long part
     }
     const AccuracyResult result = run_accuracy(request);
     const std::vector<Summary> all = summaries(result.rows);
@@ -167,6 +167,7 @@ void add_bench(CLI::App& app) {
     CLI::App* bench = app.add_subcommand("bench", "Benchmarks");
     bench->require_subcommand(1);
     add_set(*bench);
+    bench->footer("EXAMPLES\n  skin2afc bench accuracy --out out/accuracy --quick\n  skin2afc bench set --out out/set --quick");
     const auto arguments = std::make_shared<Arguments>();
     CLI::App* command = bench->add_subcommand("accuracy", "Run time of every setting against its error");
     command->add_option("--out", arguments->out, "Folder for tables, figure and page; made if missing")

@@ -76,7 +76,7 @@ Selection selection(const std::vector<std::string>& only, const std::string& sha
     const auto check = [](const auto& known, const auto& value, std::string_view key,
                           const std::string& text) {
         if (!contains(known, value)) {
-            throw support::input_error("--only {}: expected values of the protocol ({}), found \"{}\"", key,
+            throw support::input_error("--only {}: expected one of {}, found \"{}\"", key,
                                        fmt::join(known, ", "), support::one_line(text));
         }
     };
@@ -91,9 +91,12 @@ Selection selection(const std::vector<std::string>& only, const std::string& sha
         std::istringstream values(argument.substr(equals + 1) + ",");
         for (std::string value; std::getline(values, value, ',');) {
             if (key == "shader") {
-                if (value != reference_shader) {
-                    check(protocol.shaders, value, key, value);
+                // The reference may be asked for though the protocol lists it not.
+                std::vector<std::string> known = protocol.shaders;
+                if (!contains(known, std::string(reference_shader))) {
+                    known.emplace_back(reference_shader);
                 }
+                check(known, value, key, value);
                 result.shaders.push_back(value);
             } else if (key == "distance") {
                 check(distance_names(protocol), value, key, value);

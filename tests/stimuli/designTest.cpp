@@ -71,6 +71,15 @@ TEST(DesignTest, onlyRefusesWhatTheProtocolLacks) {
     }
 }
 
+TEST(DesignTest, onlyNamesWhatItTakes) {
+    try {
+        kept({"shader=references"});
+        FAIL();
+    } catch (const support::InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("ss_full, reference, found"), std::string::npos) << error.what();
+    }
+}
+
 // What is to be split may be any number of images into any number of parts, more than there are images, too.
 TEST(DesignTest, shardsAreDisjointAndCompleteAndEvenToOneImage) {
     for (const std::vector<std::string>& only : {std::vector<std::string>{},

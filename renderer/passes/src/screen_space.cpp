@@ -126,6 +126,7 @@ void ScreenSpace::begin_half(const gl::Texture& source, const LitFrame& lit, con
     half.middle_px *= 0.5f;
     half.height = (half.height + 1) / 2;
     half.rect = half_of(half.rect);
+    half.scale = 0.5f;
     half_->halve.use();
     source.bind(0);
     lit.depth_mm.bind(1);
