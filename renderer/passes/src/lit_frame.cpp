@@ -147,12 +147,15 @@ const LitFrame& LitPass::render(const GpuModel& model, const GpuModel::View& vie
     }
     target.clear_depth(0);
     std::set<const gl::Program*> ready;
+    maps_read_ = 0;
     {
         const ReversedDepth depth;
         for (const GpuModel::Part& part : view.parts) {
             const std::size_t material = model.meshes()[part.mesh].material;
             Defines defines = look.defines(model.traits(material), beams.size(), switches);
             defines["PACKED"] = samples_ ? 1 : 0;
+            maps_read_ +=
+                defines["COLOR_MAP"] + defines["NORMAL_MAP"] + defines["ROUGHNESS_MAP"] + defines["SPECULAR"];
             const gl::Program& program = programs_.with(defines);
             program.use();
             if (ready.insert(&program).second) {

@@ -57,6 +57,8 @@ public:
                            const std::vector<std::size_t>& beams, const ShadowMap& shadow,
                            const Switches& switches);
     const LitFrame& frame() const { return frame_; }
+    /// How many maps the materials of the frame rendered last read.
+    int maps_read() const { return maps_read_; }
 
 private:
     /// One value a sample, where a pixel has several.
@@ -70,6 +72,7 @@ private:
     void resolve(const PixelRect& rect);
 
     int sample_count_;
+    int maps_read_ = 0;
     ProgramVariants programs_;
     gl::Texture depth_; // of the samples
     LitFrame frame_;

@@ -184,6 +184,7 @@ struct Pipeline::State {
         });
         lit_view.emplace(camera, light);
         counts["triangles"] = view.triangles - (switches.cull ? view.culled : 0);
+        counts["maps read"] = lit->maps_read();
         counts["triangles culled"] = switches.cull ? view.culled : 0;
     }
 
