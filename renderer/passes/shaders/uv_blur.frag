@@ -17,7 +17,17 @@ uniform float table_end;       // the greatest standard deviation of the table, 
 
 layout(location = 0) out vec4 blurred;
 
-const ivec2 axis = ivec2(1 - ALONG_V, ALONG_V);
+ivec2 place(ivec2 texel, int along) { return ALONG_V == 1 ? ivec2(texel.x, along) : ivec2(along, texel.y); }
+
+// The light of a texel times mask, and its mask on this chart.
+vec4 tap(ivec2 texel, float chart) {
+    vec4 light = texelFetch(source, texel, 0);
+#if CHART_IN
+    return light.a == chart ? vec4(light.rgb, 1.0) : vec4(0.0);
+#else
+    return texelFetch(chart_map, texel, 0).r == chart ? light : vec4(0.0);
+#endif
+}
 
 void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy);
@@ -32,27 +42,20 @@ void main() {
                       texelFetch(ratio_table, ivec2(min(entry + 1, last_entry), 0), 0).r, fract(place_in_table));
 
     vec4 sum = vec4(texelFetch(source, texel, 0).rgb, 1.0);
-    ivec2 last_texel = textureSize(source, 0) - 1;
     int step_texels = int(step_px);
-    float pair_weight = 1.0; // ratio^(k^2)
+    int last = textureSize(source, 0)[ALONG_V] - 1;
+    int after = texel[ALONG_V];
+    int before = after;
+    float weight = 1.0; // ratio^(k^2)
     float next_ratio = ratio;
-    for (int i = 0; i < 2 * REACH; ++i) {
-        int k = (i >> 1) + 1;
-        if ((i & 1) == 0) {
-            pair_weight *= next_ratio;
-            next_ratio *= ratio * ratio;
-        }
+    for (int k = 1; k <= REACH; ++k) {
+        weight *= next_ratio;
+        next_ratio *= ratio * ratio;
+        after += step_texels;
+        before -= step_texels;
         // Beyond the map's edge there is no chart.
-        ivec2 tap = texel + axis * ((i & 1) == 0 ? k * step_texels : -k * step_texels);
-        ivec2 inside = clamp(tap, ivec2(0), last_texel);
-        vec4 light = texelFetch(source, inside, 0);
-#if CHART_IN
-        float its_chart = light.a;
-        light.a = 1.0;
-#else
-        float its_chart = texelFetch(chart_map, inside, 0).r;
-#endif
-        sum += (its_chart == chart && inside == tap ? pair_weight : 0.0) * light;
+        sum += (after <= last ? weight : 0.0) * tap(place(texel, min(after, last)), chart);
+        sum += (before >= 0 ? weight : 0.0) * tap(place(texel, max(before, 0)), chart);
     }
     blurred = vec4(sum.rgb / sum.a, CHART_OUT == 1 ? chart : 1.0);
 }

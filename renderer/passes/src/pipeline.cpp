@@ -198,6 +198,7 @@ struct Pipeline::State {
     }
 
     void count_maps(const TextureSpaceCounts& maps) {
+        counts["uv layouts"] = maps.layouts;
         counts["maps"] = maps.maps_lit;
         counts["maps skipped"] = maps.maps_skipped;
         counts["texels"] = maps.texels_lit;

@@ -172,6 +172,7 @@ void TextureSpace::light(const GpuModel& model, const GpuModel::View& view, cons
                          const ShadowMap& shadow, const Switches& switches) {
     counts_ = {};
     for (Skin& skin : skins_) {
+        counts_.layouts += &skin == &skins_[skin.alike] ? 1 : 0;
         // Choose what to light.
         skin.size = culled_ ? fitting_size(skin, model, view, camera) : size_;
         const UvMaps* its_maps = skin.size > 0 ? &maps(model, skin, skin.size) : nullptr;

@@ -22,6 +22,7 @@ namespace renderer::passes {
 
 /// What of texture space was lit, and what was left out.
 struct TextureSpaceCounts {
+    int layouts = 0;                              ///< that differ; copies share one
     int maps_lit = 0, maps_skipped = 0;           ///< skipped: nothing of them is in view
     long long texels_lit = 0, texels_skipped = 0; ///< on charts of the maps lit
     std::set<int> sizes;                          ///< of the maps lit, texels a side

@@ -22,22 +22,50 @@ Triangle triangle_of(const scene::Mesh& mesh, std::size_t number) {
 
 std::size_t triangle_count(const scene::Mesh& mesh) { return mesh.indices.size() / 3; }
 
-/// Lengths of edges may differ by this share of the triangle, after turning a copy.
+/// Lengths of edges may differ by this share of the triangle, which does not show.
 constexpr float edge_slack = 1e-3f;
+/// And by what rounding does to places, as a share of their distance from the origin.
+constexpr float place_slack = 1e-6f;
 /// Of the map's side: no light comes from farther.
 constexpr float widest_margin = 0.375f;
 /// What rounding may do to a cosine or to a place in the frustum.
 constexpr float slack = 1e-3f;
 
-bool same_edges(const Triangle& a, const Triangle& b) {
+/// A triangle on the surface and in the map.
+struct Measured {
+    glm::vec2 map_per_mm{0};
+    float area_mm2 = 0, map_area = 0;
+};
+
+Measured measure(const Triangle& corners, const glm::vec2& uv_scale) {
+    glm::vec2 sides[3];
+    glm::vec3 edges_mm[3];
+    Measured measured;
     for (std::size_t k = 0; k < 3; ++k) {
-        const float length_a = glm::distance(a[k]->position_mm, a[(k + 1) % 3]->position_mm);
-        const float length_b = glm::distance(b[k]->position_mm, b[(k + 1) % 3]->position_mm);
-        if (std::abs(length_a - length_b) > edge_slack * std::max(length_a, length_b)) {
-            return false;
-        }
+        sides[k] = (corners[(k + 1) % 3]->uv - corners[k]->uv) * uv_scale;
+        edges_mm[k] = corners[(k + 1) % 3]->position_mm - corners[k]->position_mm;
+        measured.map_per_mm =
+            glm::max(measured.map_per_mm, glm::abs(sides[k]) / std::max(glm::length(edges_mm[k]), 1e-6f));
     }
-    return true;
+    measured.area_mm2 = 0.5f * glm::length(glm::cross(edges_mm[0], edges_mm[1]));
+    measured.map_area = 0.5f * std::abs(sides[0].x * sides[1].y - sides[0].y * sides[1].x);
+    return measured;
+}
+
+bool same_edges(const Triangle& a, const Triangle& b) {
+    glm::vec3 lengths_a, lengths_b;
+    float farthest_mm = 0;
+    for (int k = 0; k < 3; ++k) {
+        const auto from = static_cast<std::size_t>(k);
+        const auto to = (from + 1) % 3;
+        lengths_a[k] = glm::distance(a[from]->position_mm, a[to]->position_mm);
+        lengths_b[k] = glm::distance(b[from]->position_mm, b[to]->position_mm);
+        farthest_mm = std::max({farthest_mm, glm::length(a[from]->position_mm),
+                                glm::length(b[from]->position_mm)});
+    }
+    const float longest_mm = std::max({lengths_a.x, lengths_a.y, lengths_a.z});
+    return glm::all(glm::lessThanEqual(glm::abs(lengths_a - lengths_b),
+                                       glm::vec3(edge_slack * longest_mm + place_slack * farthest_mm)));
 }
 
 bool lie_alike(const scene::Mesh& a, const scene::Mesh& b) {
@@ -135,24 +163,12 @@ UvLayout uv_layout(const scene::Model& model, std::size_t material) {
     double area_mm2 = 0;
     double map_area = 0;
     for (const std::size_t i : layout.meshes) {
-        const scene::Mesh& mesh = model.meshes[i];
         std::vector<glm::vec2>& map_per_mm = layout.map_per_mm.emplace_back();
-        for (std::size_t t = 0; t < triangle_count(mesh); ++t) {
-            const Triangle corners = triangle_of(mesh, t);
-            glm::vec2 most(0);
-            glm::vec2 sides[2];
-            glm::vec3 edges_mm[2];
-            for (std::size_t k = 0; k < 3; ++k) {
-                const glm::vec2 side = (corners[(k + 1) % 3]->uv - corners[k]->uv) * layout.uv_scale;
-                const glm::vec3 edge_mm = corners[(k + 1) % 3]->position_mm - corners[k]->position_mm;
-                most = glm::max(most, glm::abs(side) / std::max(glm::length(edge_mm), 1e-6f));
-                sides[k % 2] = k < 2 ? side : sides[k % 2];
-                edges_mm[k % 2] = k < 2 ? edge_mm : edges_mm[k % 2];
-            }
-            map_per_mm.push_back(most);
-            area_mm2 += 0.5 * static_cast<double>(glm::length(glm::cross(edges_mm[0], edges_mm[1])));
-            map_area +=
-                0.5 * static_cast<double>(std::abs(sides[0].x * sides[1].y - sides[0].y * sides[1].x));
+        for (std::size_t t = 0; t < triangle_count(model.meshes[i]); ++t) {
+            const Measured measured = measure(triangle_of(model.meshes[i], t), layout.uv_scale);
+            map_per_mm.push_back(measured.map_per_mm);
+            area_mm2 += static_cast<double>(measured.area_mm2);
+            map_area += static_cast<double>(measured.map_area);
         }
     }
     layout.side_mm = map_area > 0 ? static_cast<float>(std::sqrt(area_mm2 / map_area)) : 0;

@@ -16,7 +16,7 @@ namespace renderer::passes {
 struct UvLayout {
     std::vector<std::size_t> meshes;                ///< their numbers in the model
     glm::vec2 uv_origin{0}, uv_scale{1};            ///< bring texture coordinates into the unit square
-    float side_mm = 0;                              ///< of the map, if spread over the surface
+    float side_mm = 0;                              ///< of the map, if spread over the surface evenly
     std::vector<std::vector<glm::vec2>> map_per_mm; ///< [mesh][triangle]: share of the map's sides, at most
 };
 
