@@ -17,15 +17,13 @@ uniform float table_end;       // the greatest standard deviation of the table, 
 
 layout(location = 0) out vec4 blurred;
 
-ivec2 place(ivec2 texel, int along) { return ALONG_V == 1 ? ivec2(texel.x, along) : ivec2(along, texel.y); }
-
-// The light of a texel times mask, and its mask on this chart.
-vec4 tap(ivec2 texel, float chart) {
-    vec4 light = texelFetch(source, texel, 0);
+// The light of a texel times mask, and its mask on this chart. Beyond the map's edge there is no chart: its border is 0.
+vec4 tap(vec2 place, float chart) {
+    vec4 light = textureLod(source, place, 0.0);
 #if CHART_IN
     return light.a == chart ? vec4(light.rgb, 1.0) : vec4(0.0);
 #else
-    return texelFetch(chart_map, texel, 0).r == chart ? light : vec4(0.0);
+    return textureLod(chart_map, place, 0.0).r == chart ? light : vec4(0.0);
 #endif
 }
 
@@ -42,20 +40,15 @@ void main() {
                       texelFetch(ratio_table, ivec2(min(entry + 1, last_entry), 0), 0).r, fract(place_in_table));
 
     vec4 sum = vec4(texelFetch(source, texel, 0).rgb, 1.0);
-    int step_texels = int(step_px);
-    int last = textureSize(source, 0)[ALONG_V] - 1;
-    int after = texel[ALONG_V];
-    int before = after;
+    vec2 size = vec2(textureSize(source, 0));
     float weight = 1.0; // ratio^(k^2)
     float next_ratio = ratio;
     for (int k = 1; k <= REACH; ++k) {
         weight *= next_ratio;
         next_ratio *= ratio * ratio;
-        after += step_texels;
-        before -= step_texels;
-        // Beyond the map's edge there is no chart.
-        sum += (after <= last ? weight : 0.0) * tap(place(texel, min(after, last)), chart);
-        sum += (before >= 0 ? weight : 0.0) * tap(place(texel, max(before, 0)), chart);
+        vec2 offset = vec2(1 - ALONG_V, ALONG_V) * (float(k) * step_px);
+        sum += weight * tap((gl_FragCoord.xy + offset) / size, chart);
+        sum += weight * tap((gl_FragCoord.xy - offset) / size, chart);
     }
     blurred = vec4(sum.rgb / sum.a, CHART_OUT == 1 ? chart : 1.0);
 }

@@ -60,8 +60,8 @@ bool same_edges(const Triangle& a, const Triangle& b) {
         const auto to = (from + 1) % 3;
         lengths_a[k] = glm::distance(a[from]->position_mm, a[to]->position_mm);
         lengths_b[k] = glm::distance(b[from]->position_mm, b[to]->position_mm);
-        farthest_mm = std::max({farthest_mm, glm::length(a[from]->position_mm),
-                                glm::length(b[from]->position_mm)});
+        farthest_mm =
+            std::max({farthest_mm, glm::length(a[from]->position_mm), glm::length(b[from]->position_mm)});
     }
     const float longest_mm = std::max({lengths_a.x, lengths_a.y, lengths_a.z});
     return glm::all(glm::lessThanEqual(glm::abs(lengths_a - lengths_b),

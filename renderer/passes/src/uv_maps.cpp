@@ -201,6 +201,8 @@ void UvPasses::blur(const gl::Texture& source, const gl::Texture& target, const 
     maps.stretch[step].bind(1);
     maps.chart.bind(2);
     ratios_.texture.bind(3);
+    nearest_.bind(0);
+    nearest_.bind(2);
     const UvTest test;
     const auto pass = [&](const gl::Program& program, const gl::Texture& from, const gl::Texture& to) {
         const gl::Framebuffer framebuffer({&to}, &wanted);
@@ -214,6 +216,8 @@ void UvPasses::blur(const gl::Texture& source, const gl::Texture& target, const 
     };
     pass(across_, source, space.half_blurred);
     pass(along_, space.half_blurred, target);
+    gl::Sampler::unbind(0);
+    gl::Sampler::unbind(2);
 }
 
 } // namespace renderer::passes

@@ -70,6 +70,7 @@ private:
     std::vector<float> sigmas_mm_;
     gl::Program geometry_, select_, dilate_, across_, along_;
     RatioTable ratios_;
+    gl::Sampler nearest_{GL_NEAREST, GL_CLAMP_TO_BORDER}; ///< with no chart beyond the edge
 };
 
 /// A map of light, cleared.
