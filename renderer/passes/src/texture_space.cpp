@@ -21,7 +21,9 @@ constexpr double tolerated_overlap = 0.002;
 // The culled form lights what lies within so many standard deviations of the widest Gaussian around what is
 // seen.
 constexpr float margin_sigmas = 3;
-// Its maps shrink to this share of the full side at most, and not below so many texels.
+// Its maps have so many texels along a pixel, on average; where charts are stretched, fewer.
+constexpr float texels_a_pixel = 2;
+// They shrink to this share of the full side at most, and not below so many texels.
 constexpr int smallest_share = 8;
 constexpr int smallest_side = 16;
 
@@ -120,9 +122,14 @@ const UvMaps& TextureSpace::maps(const GpuModel& model, const Skin& skin, int si
 }
 
 std::vector<gl::Texture>& TextureSpace::gaussians(Skin& skin, int size) const {
+    // The coarsest level of all sizes is the same, so that they look alike.
+    int levels = gather_levels;
+    for (int larger = size_; larger / 2 >= size && levels > 1; larger /= 2) {
+        --levels;
+    }
     std::vector<gl::Texture>& gaussians = skin.gaussians[size];
     while (gaussians.size() < passes_.steps()) {
-        gaussians.push_back(light_map(size, gather_levels));
+        gaussians.push_back(light_map(size, levels));
     }
     return gaussians;
 }
@@ -140,7 +147,8 @@ int TextureSpace::fitting_size(const Skin& skin, const GpuModel& model, const Gp
     if (std::isinf(nearest_mm)) {
         return 0;
     }
-    const float wanted = skin.layout.side_mm * camera.focal_px() / std::max(nearest_mm, 1e-6f);
+    const float wanted =
+        texels_a_pixel * skin.layout.side_mm * camera.focal_px() / std::max(nearest_mm, 1e-6f);
     const int least = std::max(size_ / smallest_share, std::min(size_, smallest_side));
     int size = size_;
     while (size / 2 >= least && static_cast<float>(size / 2) >= wanted) {
