@@ -41,6 +41,10 @@ struct TextureSpaceMethod {
     /// The published form: the lighting of the final pass stands for the narrowest Gaussian. Else it is that
     /// lighting, blurred on the screen.
     bool unblurred_first = false;
+    /// Maps are lit where the camera sees them or light reaches what it sees, within 2/255; and their sides,
+    /// halved down to an eighth of map_size, follow the size on the screen [JimenezGutierrez2008], within
+    /// 1/255 RMS. Else maps are whole, and lit once a light.
+    bool culled = false;
 };
 
 /// How the Gaussians' weighted sum is made.
