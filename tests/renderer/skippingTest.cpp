@@ -223,6 +223,11 @@ TEST_F(SkippingTest, lightsThatLightNothingInViewCastNoShadows) {
     off.skip_unlit = false;
     passes::Pipeline every(scenes::plane(50), look(), methods(), off);
     EXPECT_EQ(count(every.render(Shader::ss_full, camera, light), "shadow maps"), 2);
+    // A light that grazes the square does light it.
+    light.further[0].direction = glm::normalize(glm::vec3(1, 0, 0.1f));
+    const passes::Frame grazed = pipeline.render(Shader::ss_full, camera, light);
+    EXPECT_FALSE(says(grazed.passes_skipped, "lights"));
+    EXPECT_EQ(grazed.srgb, every.render(Shader::ss_full, camera, light).srgb);
 }
 
 TEST_F(SkippingTest, gaussiansThatCannotBeSeenAreLeftOutPixelByPixel) {
