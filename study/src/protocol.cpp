@@ -175,6 +175,8 @@ FullSettings read_full(TomlTable table) {
         throw table.error("target_bits", fmt::format("expected 0, 8, 16 or 32, found {}", full.target_bits));
     }
     full.half_resolution = table.boolean("half_resolution", !published);
+    full.weighted_sum =
+        table.word("accumulation", {"on_the_fly", "weighted_sum"}, "on_the_fly") == "weighted_sum";
     full.stretch = read_stretch(table);
     return full;
 }

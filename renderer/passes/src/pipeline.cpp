@@ -252,10 +252,10 @@ struct Pipeline::State {
         counts["blur passes"] = gaussians.passes;
         if (gaussians.skipped > 0) {
             skipped.push_back(
-                fmt::format("{} Gaussians: narrower than can be seen at this distance", gaussians.skipped));
+                fmt::format("Gaussians narrower than can be seen at this distance: {}", gaussians.skipped));
         }
         if (gaussians.in_part > 0) {
-            skipped.push_back(fmt::format("{} Gaussians where the skin is far", gaussians.in_part));
+            skipped.push_back(fmt::format("Gaussians where the skin is too far to see them: {}", gaussians.in_part));
         }
         return *result;
     }

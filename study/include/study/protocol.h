@@ -91,6 +91,7 @@ struct FullSettings {
     bool reject_gaps = true;
     int target_bits = 0; ///< 8, 16, 32; 0: what suits the driver
     bool half_resolution = true;
+    bool weighted_sum = false; ///< each Gaussian in a target of its own
     StretchSettings stretch;
 };
 
