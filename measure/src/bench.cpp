@@ -11,6 +11,7 @@
 #include <support/error.h>
 
 #include "accuracy/report.h"
+#include "frames/command.h"
 #include "gnuplot.h"
 #include "outputs.h"
 
@@ -118,6 +119,7 @@ void add_bench(CLI::App& app) {
                       "rounds: some minutes");
     command->footer(footer);
     command->callback([arguments] { run(*arguments); });
+    add_bench_frames(*bench);
 }
 
 } // namespace measure

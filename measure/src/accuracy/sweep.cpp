@@ -50,18 +50,6 @@ struct View {
     Picture truth;
 };
 
-/// The name of the processor, as Linux has it.
-std::string processor_name() {
-    std::ifstream file("/proc/cpuinfo");
-    for (std::string line; std::getline(file, line);) {
-        const auto colon = line.find(": ");
-        if (line.starts_with("model name") && colon != std::string::npos) {
-            return line.substr(colon + 2);
-        }
-    }
-    return "unknown";
-}
-
 /// One run of the benchmark.
 class Benchmark {
 public:
@@ -303,6 +291,17 @@ private:
 };
 
 } // namespace
+
+std::string processor_name() {
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);) {
+        const auto colon = line.find(": ");
+        if (line.starts_with("model name") && colon != std::string::npos) {
+            return line.substr(colon + 2);
+        }
+    }
+    return "unknown";
+}
 
 double median(std::vector<double> values) {
     std::sort(values.begin(), values.end());
