@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include <cmath>
+#include <fstream>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -12,6 +13,7 @@
 #include "frames/bandwidth.h"
 #include "frames/frames.h"
 #include "frames/scenes.h"
+#include "scratch_folder.h"
 
 namespace {
 
@@ -47,6 +49,26 @@ std::string finding_of(const FramesResult& result, const std::string& start) {
         }
     }
     return {};
+}
+
+/// Write a square of 0.2 m as a glTF model: a head that is quick to make and to render.
+std::filesystem::path write_square(const std::filesystem::path& folder) {
+    const float floats[] = {-.1f, -.1f, 0, .1f, -.1f, 0, .1f, .1f, 0, -.1f, .1f, 0, 0, 1, 1, 1, 1, 0, 0, 0};
+    const std::uint16_t indices[] = {0, 1, 2, 0, 2, 3};
+    std::ofstream buffer(folder / "square.bin", std::ios::binary);
+    buffer.write(reinterpret_cast<const char*>(floats), sizeof floats);
+    buffer.write(reinterpret_cast<const char*>(indices), sizeof indices);
+    std::ofstream(folder / "square.gltf") << R"({
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2}]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
+                      {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC2"},
+                      {"bufferView": 2, "componentType": 5123, "count": 6, "type": "SCALAR"}],
+        "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 48},
+                        {"buffer": 0, "byteOffset": 48, "byteLength": 32},
+                        {"buffer": 0, "byteOffset": 80, "byteLength": 12}],
+        "buffers": [{"uri": "square.bin", "byteLength": 92}]})";
+    return folder / "square.gltf";
 }
 
 /// A block as large as a head and its shoulders, the head's centre in its upper part.
@@ -212,7 +234,9 @@ TEST(FramesTest, findingsHoldFiguresAgainstTargets) {
 
 // A small run from end to end: every frame is checked on the way.
 TEST(FramesTest, timesSmallScenes) {
+    const measure::ScratchFolder folder;
     measure::FramesRequest request;
+    request.model_file = write_square(folder.path());
     request.width = 128; // of which the quick run takes half: a far head has three pixels
     request.height = 72;
     request.map_size = 64;

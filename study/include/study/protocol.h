@@ -66,7 +66,7 @@ struct BloomSettings {
 
 struct LensSettings {
     double aperture_mm = 0; ///< diameter; 0: a pinhole, all is sharp
-    double focus_mm = 0;    ///< distance that is sharp; 0: the head's centre
+    double focus_mm = 0;    ///< distance that is sharp; 0: where the camera looks
 };
 
 struct TextureSpaceSettings {
