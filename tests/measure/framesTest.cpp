@@ -8,11 +8,13 @@
 #include <gtest/gtest.h>
 
 #include <stimuli/setup.h>
+#include <support/error.h>
 
 #include "accuracy/settings.h"
 #include "frames/bandwidth.h"
 #include "frames/frames.h"
 #include "frames/scenes.h"
+#include "frames/soundness.h"
 #include "scratch_folder.h"
 
 namespace {
@@ -144,6 +146,9 @@ TEST(FramesTest, scenesHoldEveryRowOfThePapersTables) {
             rows.insert(
                 {std::string(place.table) + ' ' + std::string(place.axis) + ' ' + std::string(place.value),
                  one.samples});
+            if (place.axis == "heads" || place.axis == "lights") {
+                EXPECT_EQ(std::to_string(place.axis == "heads" ? one.heads : one.lights), place.value);
+            }
         }
         EXPECT_EQ(one.shadow_map_size, one.places.front().table == "own" ? 4096 : 512);
     }
@@ -230,6 +235,22 @@ TEST(FramesTest, findingsHoldFiguresAgainstTargets) {
     EXPECT_TRUE(reached("empty view"));
     EXPECT_TRUE(reached("from one to five heads")); // 4 times the time for 4.5 times the pixels
     EXPECT_EQ(finding_of(result, "section7_5"), "");
+}
+
+TEST(FramesTest, refusesFramesThatAreNotSound) {
+    const auto frame = [](float light, float coverage) {
+        renderer::scene::Frame result;
+        result.width = result.height = 1;
+        result.linear = {light, light, light, coverage};
+        return result;
+    };
+    EXPECT_NO_THROW(measure::check_same(frame(1, 1), frame(1, 1), false, "scene"));
+    EXPECT_NO_THROW(measure::check_same(frame(0, 0), frame(0, 0), true, "scene"));
+    EXPECT_THROW(measure::check_same(frame(1, 1), frame(0.5f, 1), false, "scene"), support::Failure);
+    EXPECT_THROW(measure::check_same(frame(0, 0), frame(0, 0), false, "scene"), support::Failure);
+    EXPECT_THROW(measure::check_same(frame(1, 1), frame(1, 1), true, "scene"), support::Failure);
+    EXPECT_THROW(measure::check_same(frame(NAN, 1), frame(NAN, 1), false, "scene"), support::Failure);
+    EXPECT_EQ(measure::covered_pixels(frame(1, 0.25f)), 1);
 }
 
 // A small run from end to end: every frame is checked on the way.

@@ -55,7 +55,9 @@ TEST_F(DepthOfFieldTest, aPinholeRunsNoPass) {
 
 TEST_F(DepthOfFieldTest, whatIsInFocusStaysTheSameToTheBit) {
     const scene::Model model = scenes::half_white_plane(40);
-    EXPECT_EQ(render(model, 20).linear, render(model, 0).linear);
+    const passes::Frame frame = render(model, 20);
+    EXPECT_TRUE(ran(frame));
+    EXPECT_EQ(frame.linear, render(model, 0).linear);
 }
 
 // A thin lens of diameter A, sharp at f, spreads a point at d over a disk that, in the picture, has the

@@ -14,7 +14,7 @@ struct Fps {
     double fps, fps_multisampled; // 0: not measured
 };
 
-// [Jimenez2009, Table III]: 1280 x 720, 4x MSAA, one light, on a GeForce 8800 GTX.
+// [Jimenez2009, Table III]: 1280 x 720, 4x MSAA, one light, on a GeForce 8600M GS.
 constexpr std::string_view table3 = "table3";
 // [JimenezGutierrez2010, Table 7.2]: 1280 x 720, 1x and 8x MSAA, on a GeForce 8600M GS; one head, two lights
 // and the medium distance but for what the axis says. Its `ts` is the single pass of Hable et al. 2009.

@@ -4,7 +4,6 @@
 #include "frames.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
 #include <epoxy/gl.h>
@@ -21,6 +20,7 @@
 #include "../accuracy/sweep.h"
 #include "bandwidth.h"
 #include "scenes.h"
+#include "soundness.h"
 #include "stopwatch.h"
 
 namespace measure {
@@ -59,32 +59,6 @@ int driver_samples() {
         samples *= 2;
     }
     return samples;
-}
-
-/// Refuse frames that are not finite, that are not the same twice, or that show what they should not.
-void check(const scene::Frame& first, const scene::Frame& second, bool empty, const std::string& name) {
-    if (!std::all_of(first.linear.begin(), first.linear.end(), [](float v) { return std::isfinite(v); })) {
-        throw support::failure("{}: expected finite light everywhere, found other values", name);
-    }
-    if (first.linear != second.linear || first.srgb != second.srgb) {
-        throw support::failure("{}: expected the same frame twice, found two that differ", name);
-    }
-    bool covered = false;
-    for (std::size_t i = 3; i < first.linear.size(); i += 4) {
-        covered = covered || first.linear[i] > 0;
-    }
-    if (covered == empty) {
-        throw support::failure("{}: expected {} in view, found {}", name, empty ? "nothing" : "something",
-                               empty ? "something" : "nothing");
-    }
-}
-
-long long covered_pixels(const scene::Frame& frame) {
-    long long pixels = 0;
-    for (std::size_t i = 3; i < frame.linear.size(); i += 4) {
-        pixels += frame.linear[i] > 0 ? 1 : 0;
-    }
-    return pixels;
 }
 
 /// One run of the benchmark.
@@ -233,7 +207,7 @@ private:
             passes::Pipeline& used = pipeline(timed, i);
             const scene::Frame first = used.render(setting.shader, timed.camera, light, true);
             const scene::Frame second = used.render(setting.shader, timed.camera, light, true);
-            check(first, second, timed.scene.outside, name_of(timed, setting));
+            check_same(first, second, timed.scene.outside, name_of(timed, setting));
             timed.skin_pixels = timed.scene.hidden ? 0 : covered_pixels(first);
             timed.counts = first.counts;
         }
