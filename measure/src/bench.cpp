@@ -9,11 +9,12 @@
 #include <fmt/format.h>
 
 #include <support/error.h>
+#include <support/gnuplot.h>
 
 #include "accuracy/report.h"
 #include "frames/command.h"
-#include "gnuplot.h"
 #include "outputs.h"
+#include "set/set_bench.h"
 
 namespace measure {
 namespace {
@@ -54,22 +55,56 @@ EXAMPLES
   skin2afc bench accuracy --out out/accuracy --quick
   skin2afc bench accuracy --out out/scan --model head.glb --azimuth 0,60,110,150)";
 
+constexpr const char* set_footer = R"(DESCRIPTION
+  Times a whole protocol, from the model's file to the contact sheet, by the code of skin2afc stimuli: with everything
+  on, with each switch off by itself, with all off, by one run of the program, and by a run of the program for each
+  image. Images of all ways are compared before anything is timed: a switch promises the same, bit for bit or to a
+  stated bound. Then each round runs every way once, in an order drawn from a fixed seed, so that a machine that
+  drifts hurts all alike.
+
+SWITCHES
+  everything   all of the following
+  share        what images have in common is kept: shadow maps, lit frames, irradiance maps
+  overlap      images are encoded and written while further ones are rendered
+  program      one run: the program is started once; a run an image: once for each image
+  Further switches are those of the renderer, by their names.
+
+FILES WRITTEN, with --out
+  DIR/set.tsv  switch, state, seconds (median), images, passes (run for all images), pixels (of all images),
+               seconds_spread (median absolute deviation), cpu_seconds (of all threads), then what the renderer counts;
+               numbers read back exactly
+
+EXIT STATUS
+  0  done
+  1  it failed (no OpenGL, images that differ)
+  2  bad usage or bad input; nothing was written
+
+EXAMPLES
+  skin2afc bench set --quick
+  skin2afc bench set --out out/set --model head.glb)";
+
 struct Arguments {
     AccuracyRequest request;
     std::string out, model, protocol;
 };
 
+struct SetArguments {
+    SetBenchRequest request;
+    std::string out, model, protocol;
+};
+
+std::optional<std::filesystem::path> given(const std::string& text) {
+    return text.empty() ? std::nullopt : std::optional<std::filesystem::path>(text);
+}
+
 void run(Arguments& arguments) {
     AccuracyRequest& request = arguments.request;
-    const auto given = [](const std::string& text) {
-        return text.empty() ? std::nullopt : std::optional<std::filesystem::path>(text);
-    };
     request.model_file = given(arguments.model);
     request.protocol_file = given(arguments.protocol);
     std::optional<Outputs> outputs;
     if (!arguments.out.empty()) {
         outputs.emplace(arguments.out);
-        gnuplot_svg("set terminal svg\nplot x\n"); // a missing program is found before the long part
+        support::gnuplot_svg("set terminal svg\nplot x\n"); // a missing program is found before the long part
     }
     const AccuracyResult result = run_accuracy(request);
     const std::vector<Summary> all = summaries(result.rows);
@@ -86,11 +121,54 @@ void run(Arguments& arguments) {
     }
 }
 
+void run_set_bench(SetArguments& arguments) {
+    SetBenchRequest& request = arguments.request;
+    request.model_file = given(arguments.model);
+    request.protocol_file = given(arguments.protocol);
+    std::optional<Outputs> outputs;
+    if (!arguments.out.empty()) {
+        outputs.emplace(arguments.out);
+    }
+    const SetResult result = run_set(request);
+    fmt::print("{}", set_text(result));
+    if (outputs) {
+        outputs->write("set.tsv", set_tsv(result));
+        outputs->commit();
+        fmt::print("Written to {}: set.tsv\n", support::one_line(arguments.out));
+    }
+}
+
+void add_set(CLI::App& bench) {
+    const auto arguments = std::make_shared<SetArguments>();
+    CLI::App* command = bench.add_subcommand("set", "Time of a whole set, with and without what saves some");
+    command->add_option("--out", arguments->out, "Folder for the table; made if missing")->type_name("DIR");
+    command
+        ->add_option("--model", arguments->model,
+                     "glTF model in place of the protocol's, or of the built-in head")
+        ->type_name("FILE");
+    command
+        ->add_option("--protocol", arguments->protocol,
+                     "Protocol that describes the set; default: the 2009 study")
+        ->type_name("FILE");
+    command
+        ->add_option("--rounds", arguments->request.rounds,
+                     "Timed runs of each way; default: 3, or 1 with --quick")
+        ->check(CLI::Range(1, 200))
+        ->type_name("N");
+    command->add_flag("--quick", arguments->request.quick,
+                      "A quarter of the images' and the shadow map's width and height, two distances and two "
+                      "lights: a minute or two; the whole set: an hour on two cores");
+    command->footer(set_footer);
+    command->callback([arguments] { run_set_bench(*arguments); });
+}
+
 } // namespace
 
 void add_bench(CLI::App& app) {
     CLI::App* bench = app.add_subcommand("bench", "Benchmarks");
     bench->require_subcommand(1);
+    add_set(*bench);
+    bench->footer("EXAMPLES\n  skin2afc bench accuracy --out out/accuracy --quick\n  skin2afc bench set --out out/set --quick");
     const auto arguments = std::make_shared<Arguments>();
     CLI::App* command = bench->add_subcommand("accuracy", "Run time of every setting against its error");
     command->add_option("--out", arguments->out, "Folder for tables, figure and page; made if missing")

@@ -12,9 +12,8 @@
 
 #include <fmt/format.h>
 
-#include <support/error.h>
+#include <support/gnuplot.h>
 
-#include "gnuplot.h"
 #include "labels.h"
 
 namespace stats {
@@ -223,10 +222,7 @@ std::string figure8(std::span<const Row> rows, const std::string& notice) {
     script += legend_script(series, layout);
     script += "unset multiplot\n";
 
-    std::string svg = gnuplot(script);
-    if (svg.find("<svg") == std::string::npos || svg.find("</svg>") == std::string::npos) {
-        throw support::Failure("gnuplot: expected an SVG figure, found something else");
-    }
+    std::string svg = support::gnuplot_svg(script);
     // Give the figure its name, and readers without the font another one of the kind.
     replace_all(svg, "<title>Gnuplot</title>",
                 "<title>Figure 8: proportion of answers that chose the reference</title>");

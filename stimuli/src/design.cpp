@@ -19,11 +19,6 @@ bool contains(const std::vector<T>& values, const T& value) {
     return std::find(values.begin(), values.end(), value) != values.end();
 }
 
-template <typename T>
-std::ptrdiff_t index_of(const std::vector<T>& values, const T& value) {
-    return std::find(values.begin(), values.end(), value) - values.begin();
-}
-
 std::vector<std::string> distance_names(const study::Protocol& protocol) {
     std::vector<std::string> names;
     for (const study::Distance& distance : protocol.camera.distances) {
@@ -53,13 +48,26 @@ std::vector<Item> design(const study::Protocol& protocol) {
     return items;
 }
 
-bool Selection::keeps(const Item& item, const study::Protocol& protocol) const {
-    const auto light = index_of(protocol.light.azimuths_deg, item.azimuth_deg);
-    const auto camera = index_of(distance_names(protocol), item.distance.name);
-    const auto view = light * static_cast<std::ptrdiff_t>(protocol.camera.distances.size()) + camera;
-    return (shaders.empty() || contains(shaders, item.shader)) &&
-           (distances.empty() || contains(distances, item.distance.name)) &&
-           (azimuths_deg.empty() || contains(azimuths_deg, item.azimuth_deg)) && view % shards == shard - 1;
+std::set<std::string> selected(const Selection& selection, const study::Protocol& protocol) {
+    study::Protocol asked = protocol;
+    if (contains<std::string>(selection.shaders, reference_shader) &&
+        !contains<std::string>(asked.shaders, reference_shader)) {
+        asked.shaders.emplace_back(reference_shader);
+    }
+    std::vector<Item> items = design(asked);
+    std::erase_if(items, [&](const Item& item) {
+        return !((selection.shaders.empty() || contains(selection.shaders, item.shader)) &&
+                 (selection.distances.empty() || contains(selection.distances, item.distance.name)) &&
+                 (selection.azimuths_deg.empty() || contains(selection.azimuths_deg, item.azimuth_deg)));
+    });
+    const auto cut = [&](int shard) {
+        return items.size() * static_cast<std::size_t>(shard) / static_cast<std::size_t>(selection.shards);
+    };
+    std::set<std::string> names;
+    for (std::size_t i = cut(selection.shard - 1); i < cut(selection.shard); ++i) {
+        names.insert(items[i].name());
+    }
+    return names;
 }
 
 Selection selection(const std::vector<std::string>& only, const std::string& shard,
@@ -68,7 +76,7 @@ Selection selection(const std::vector<std::string>& only, const std::string& sha
     const auto check = [](const auto& known, const auto& value, std::string_view key,
                           const std::string& text) {
         if (!contains(known, value)) {
-            throw support::input_error("--only {}: expected values of the protocol ({}), found \"{}\"", key,
+            throw support::input_error("--only {}: expected one of {}, found \"{}\"", key,
                                        fmt::join(known, ", "), support::one_line(text));
         }
     };
@@ -83,9 +91,12 @@ Selection selection(const std::vector<std::string>& only, const std::string& sha
         std::istringstream values(argument.substr(equals + 1) + ",");
         for (std::string value; std::getline(values, value, ',');) {
             if (key == "shader") {
-                if (value != reference_shader) {
-                    check(protocol.shaders, value, key, value);
+                // The reference may be asked for though the protocol lists it not.
+                std::vector<std::string> known = protocol.shaders;
+                if (!contains(known, std::string(reference_shader))) {
+                    known.emplace_back(reference_shader);
                 }
+                check(known, value, key, value);
                 result.shaders.push_back(value);
             } else if (key == "distance") {
                 check(distance_names(protocol), value, key, value);

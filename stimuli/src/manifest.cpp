@@ -113,4 +113,23 @@ void Manifest::add(const std::string& name, const Json& entry) {
     change([&](auto& entries, Json&) { entries[name] = entry; });
 }
 
+Json manifest_entry(const Item& item, const Recipe& recipe, const Outcome& outcome) {
+    std::vector<std::string> skipped;
+    for (const std::string& pass : outcome.passes_reused) {
+        skipped.push_back(pass + ": kept from an earlier image");
+    }
+    skipped.insert(skipped.end(), outcome.passes_skipped.begin(), outcome.passes_skipped.end());
+    return {{"shader", item.shader},
+            {"distance", item.distance.name},
+            {"azimuth_deg", item.azimuth_deg},
+            {"file", item.name() + ".png"},
+            {"sha256", ""},
+            {"recipe", recipe.digest},
+            {"milliseconds", outcome.milliseconds},
+            {"passes_run", outcome.passes_run},
+            {"passes_skipped", skipped},
+            {"counts", outcome.counts},
+            {"parameters", recipe.parameters}};
+}
+
 } // namespace stimuli

@@ -9,6 +9,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <stimuli/render_set.h>
+
+#include "recipe.h"
+
 namespace stimuli {
 
 /// DIR/manifest.json: what is in a folder of stimuli and how it was made. Several processes may add to one
@@ -38,5 +42,8 @@ private:
     std::filesystem::path folder_;
     nlohmann::ordered_json header_;
 };
+
+/// The entry of a rendered image, less the digests of its files.
+nlohmann::ordered_json manifest_entry(const Item& item, const Recipe& recipe, const Outcome& outcome);
 
 } // namespace stimuli

@@ -39,7 +39,9 @@ Json method_parameters(const study::Protocol& protocol, std::optional<passes::Sh
     case passes::Shader::no_sss:
         return Json::object();
     case passes::Shader::ts:
-        return {{"map_size", protocol.ts.map_size}, {"unblurred_first", protocol.ts.unblurred_first}};
+        return {{"map_size", protocol.ts.map_size},
+                {"unblurred_first", protocol.ts.unblurred_first},
+                {"culled", protocol.ts.culled}};
     case passes::Shader::ss_jittered: {
         const study::JitteredSettings& jittered = protocol.ss_jittered;
         Json json = stretch_parameters(jittered.stretch);

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The skin2afc authors
 // SPDX-License-Identifier: MIT
 
-#include "render_set.h"
+#include <stimuli/render_set.h>
 
 #include <algorithm>
 #include <chrono>
 #include <deque>
 #include <future>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -21,6 +22,7 @@
 #include "design.h"
 #include "manifest.h"
 #include "picture_file.h"
+#include "reason.h"
 #include "recipe.h"
 
 namespace stimuli {
@@ -39,16 +41,10 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// The files of one image.
-struct Files {
-    std::string png_digest, exr_digest; ///< SHA-256; empty if not written
-    double seconds = 0;                 ///< spent on writing them
-};
-
 /// An image that has been rendered and is being encoded.
 struct Encoding {
-    std::size_t outcome;
-    std::future<Files> files;
+    std::size_t item;
+    std::future<double> seconds; ///< that it took
 };
 
 /// One run of the command.
@@ -56,22 +52,22 @@ class SetRenderer {
 public:
     explicit SetRenderer(const SetRequest& request)
         : request_(request), protocol_(study::read_protocol(request.protocol_file)),
-          selection_(selection(request.only, request.shard, protocol_)) {}
+          selection_(selection(request.only, request.shard, protocol_)),
+          selected_(selected(selection_, protocol_)) {}
 
     SetReport run() {
         const auto start = Clock::now();
-        timed("loading the model", [&] { model_ = load_model(protocol_, request_.model_file); });
-        timed("making a context", [&] { context_.emplace(renderer::gl::Context::headless()); });
+        load();
         report_.driver = renderer::gl::driver_info().renderer;
         report_.model = model_.name;
-        Manifest manifest(request_.out, header());
-        check_folder(manifest);
-        plan(manifest);
+        manifest_.emplace(request_.out, header());
+        check_folder();
+        plan();
         prepare();
         support::make_writable_folder(request_.out);
-        manifest.keep_only(recipe_digests_);
-        render(manifest);
-        finish(manifest);
+        manifest_->keep_only(recipe_digests_);
+        render();
+        finish();
         report_.seconds = seconds_since(start);
         return std::move(report_);
     }
@@ -88,6 +84,17 @@ private:
         ++report_.costs[what].runs;
     }
 
+    /// Load the model on another thread while this one makes the context, which is its own from then on.
+    void load() {
+        auto loading = std::async(std::launch::async, [this] {
+            const auto start = Clock::now();
+            model_ = load_model(protocol_, request_.model_file);
+            return seconds_since(start);
+        });
+        timed("making a context", [&] { context_.emplace(renderer::gl::Context::headless()); });
+        add_cost("loading the model", loading.get());
+    }
+
     Json header() const {
         return {{"program", "skin2afc"},
                 {"protocol", {{"name", protocol_.name}, {"digest", protocol_.digest}}},
@@ -97,9 +104,9 @@ private:
 
     /// Rendering a part of the set with another model would drop the rest of the folder's images: more likely
     /// a forgotten --model than a wish.
-    void check_folder(const Manifest& manifest) const {
+    void check_folder() const {
         const bool part = !request_.only.empty() || !request_.shard.empty();
-        for (const auto& [name, entry] : manifest.entries()) {
+        for (const auto& [name, entry] : manifest_->entries()) {
             const Json& parameters = entry["parameters"];
             const bool same = parameters.contains("model") && parameters["model"] == model_.digest;
             if (part && !same && !request_.force) {
@@ -113,9 +120,9 @@ private:
 
     /// A protocol that does not list the reference has its images if they are asked for by name, or already
     /// there.
-    study::Protocol protocol_with_reference(const Manifest& manifest) const {
+    study::Protocol protocol_with_reference() const {
         study::Protocol protocol = protocol_;
-        const auto entries = manifest.entries();
+        const auto entries = manifest_->entries();
         const bool there = std::any_of(entries.begin(), entries.end(), [](const auto& entry) {
             return entry.second.value("shader", "") == reference_shader;
         });
@@ -134,15 +141,15 @@ private:
     }
 
     /// Decide for each image whether it must be rendered.
-    void plan(const Manifest& manifest) {
+    void plan() {
         const scene::HeadFrame head = head_frame(protocol_, model_);
-        items_ = design(protocol_with_reference(manifest));
-        const auto entries = manifest.entries();
+        items_ = design(protocol_with_reference());
+        const auto entries = manifest_->entries();
         for (const Item& item : items_) {
             recipes_.push_back(recipe(item, protocol_, model_, head, report_.driver));
             recipe_digests_[item.name()] = recipes_.back().digest;
             report_.outcomes.push_back(
-                {item.name(), reason(item, recipes_.back(), entries), false, 0, {}, {}});
+                {item.name(), reason(item, recipes_.back(), entries), false, 0, {}, {}, {}, {}});
         }
     }
 
@@ -158,84 +165,46 @@ private:
                 }
             } else {
                 if (!pipeline_) {
-                    pipeline_.emplace(model_, look(protocol_), methods(protocol_));
+                    pipeline_.emplace(model_, look(protocol_), methods(protocol_), request_.switches);
                 }
                 pipeline_->prepare(*recipes_[i].shader, recipes_[i].camera, recipes_[i].light);
             }
         }
     }
 
-    /// Why an image has to be rendered; "up to date" or "not selected" if it has not.
+    /// Why an image has to be rendered; up_to_date or not_selected if it has not.
     std::string reason(const Item& item, const Recipe& recipe,
                        const std::map<std::string, Json>& entries) const {
-        if (!selection_.keeps(item, protocol_) || !(listed(item.shader) || asked_for(item.shader))) {
-            return "not selected";
-        }
-        if (request_.force) {
-            return "forced";
+        if (!selected_.contains(item.name())) {
+            return not_selected;
         }
         const auto found = entries.find(item.name());
-        if (found == entries.end()) {
-            return "new";
-        }
-        if (found->second["recipe"].get<std::string>() != recipe.digest) {
-            return changed_parameters(found->second, recipe);
-        }
-        const fs::path file = request_.out / (item.name() + ".png");
-        if (!fs::exists(file) ||
-            support::sha256_of_file(file) != found->second["sha256"].get<std::string>()) {
-            return "its file is missing or changed";
-        }
-        const fs::path linear = request_.out / (item.name() + ".exr");
-        if (request_.exr && !(found->second.contains("exr_sha256") && fs::exists(linear) &&
-                              found->second["exr_sha256"] == support::sha256_of_file(linear))) {
-            return "its linear image is missing or changed";
-        }
-        return "up to date";
-    }
-
-    static std::string changed_parameters(const Json& entry, const Recipe& recipe) {
-        std::string names;
-        for (const auto& [key, value] : recipe.parameters.items()) {
-            const Json& before = entry["parameters"];
-            const bool same = before.contains(key) && before[key] == value;
-            if (!same) {
-                names += (names.empty() ? "" : ", ") + key;
-            }
-        }
-        return "changed: " + names;
+        return reason_to_render(item.name(), recipe, found == entries.end() ? nullptr : &found->second,
+                                request_);
     }
 
     static bool to_render(const Outcome& outcome) {
-        return outcome.reason != "up to date" && outcome.reason != "not selected";
+        return outcome.reason != up_to_date && outcome.reason != not_selected;
     }
 
-    void render(Manifest& manifest) {
+    void render() {
         const auto count = static_cast<std::size_t>(
             std::count_if(report_.outcomes.begin(), report_.outcomes.end(), to_render));
         if (count == 0) {
             return;
         }
-        progress_.emplace("rendering", count);
-        for (std::size_t i = 0; i < items_.size(); ++i) {
-            Outcome& outcome = report_.outcomes[i];
-            if (!to_render(outcome)) {
-                continue;
-            }
-            const auto start = Clock::now();
-            const Recipe& recipe = recipes_[i];
-            scene::Frame frame =
-                recipe.shader ? pipeline_->render(*recipe.shader, recipe.camera, recipe.light, request_.exr)
-                              : reference_->render(recipe.camera, recipe.light, request_.exr);
-            references_rendered_ += recipe.shader ? 0 : 1;
-            outcome.rendered = true;
-            outcome.milliseconds = 1000 * seconds_since(start);
-            outcome.passes_run = frame.passes_run;
-            outcome.passes_reused = frame.passes_reused;
-            encode(i, std::move(frame));
-            drain(manifest, longest_queue);
+        sheet_.emplace(protocol_);
+        if (!request_.quiet) {
+            progress_.emplace("rendering", count);
         }
-        timed("waiting for files", [&] { drain(manifest, 0); });
+        for (std::size_t i = 0; i < items_.size(); ++i) {
+            if (to_render(report_.outcomes[i])) {
+                report_.most_waiting = std::max(report_.most_waiting, queue_.size());
+                encode(i, rendered(i));
+                drain(request_.overlap ? longest_queue : 0);
+            }
+        }
+        timed("waiting for files", [&] { drain(0); });
         if (pipeline_) {
             for (const auto& [node, cost] : pipeline_->costs()) {
                 report_.costs[node] = cost;
@@ -250,54 +219,60 @@ private:
         progress_.reset();
     }
 
-    /// Write the image's files on another thread while the next image is rendered.
-    void encode(std::size_t i, scene::Frame frame) {
-        const std::string stem = (request_.out / items_[i].name()).string();
-        queue_.push_back(
-            {i, std::async(std::launch::async, [stem, exr = request_.exr, frame = std::move(frame)] {
-                 const auto start = Clock::now();
-                 Files files;
-                 if (exr) {
-                     files.exr_digest = write_exr(stem + ".exr", frame);
-                 } else {
-                     fs::remove(stem + ".exr"); // of another picture than the one to be written
-                 }
-                 files.png_digest = write_png(stem + ".png", frame);
-                 files.seconds = seconds_since(start);
-                 return files;
-             })});
+    /// Render one image and note what it took.
+    scene::Frame rendered(std::size_t i) {
+        const auto start = Clock::now();
+        const Recipe& recipe = recipes_[i];
+        scene::Frame frame =
+            recipe.shader ? pipeline_->render(*recipe.shader, recipe.camera, recipe.light, request_.exr)
+                          : reference_->render(recipe.camera, recipe.light, request_.exr);
+        references_rendered_ += recipe.shader ? 0 : 1;
+        Outcome& outcome = report_.outcomes[i];
+        outcome.rendered = true;
+        outcome.milliseconds = 1000 * seconds_since(start);
+        outcome.passes_run = frame.passes_run;
+        outcome.passes_reused = frame.passes_reused;
+        outcome.passes_skipped = frame.passes_skipped;
+        outcome.counts = frame.counts;
+        return frame;
     }
 
-    /// Enter finished images into the manifest, waiting until at most `longest` are left in the queue.
-    void drain(Manifest& manifest, std::size_t longest) {
+    /// Write the image's files and enter them into the manifest, on another thread while the next image is
+    /// rendered.
+    void encode(std::size_t i, scene::Frame frame) {
+        auto work = [this, name = items_[i].name(),
+                     entry = manifest_entry(items_[i], recipes_[i], report_.outcomes[i]),
+                     frame = std::move(frame)]() mutable {
+            const auto start = Clock::now();
+            const std::string stem = (request_.out / name).string();
+            if (request_.exr) {
+                entry["exr_sha256"] = write_exr(stem + ".exr", frame);
+            } else {
+                fs::remove(stem + ".exr"); // of another picture than the one to be written
+            }
+            entry["sha256"] = write_png(stem + ".png", frame);
+            manifest_->add(name, entry);
+            sheet_->paste(name, frame.srgb.data(), 3);
+            return seconds_since(start);
+        };
+        queue_.push_back({i, std::async(std::launch::async, std::move(work))});
+    }
+
+    /// Wait until at most `longest` images are left in the queue.
+    void drain(std::size_t longest) {
         while (queue_.size() > longest) {
             Encoding encoding = std::move(queue_.front());
             queue_.pop_front();
-            const Files files = encoding.files.get();
-            add_cost("encoding (beside rendering)", files.seconds);
-            const Item& item = items_[encoding.outcome];
-            const Outcome& outcome = report_.outcomes[encoding.outcome];
-            Json entry{{"shader", item.shader},
-                       {"distance", item.distance.name},
-                       {"azimuth_deg", item.azimuth_deg},
-                       {"file", item.name() + ".png"},
-                       {"sha256", files.png_digest},
-                       {"recipe", recipes_[encoding.outcome].digest},
-                       {"milliseconds", outcome.milliseconds},
-                       {"passes_run", outcome.passes_run},
-                       {"passes_skipped", outcome.passes_reused},
-                       {"parameters", recipes_[encoding.outcome].parameters}};
-            if (!files.exr_digest.empty()) {
-                entry["exr_sha256"] = files.exr_digest;
+            add_cost(request_.overlap ? "encoding (beside rendering)" : "encoding", encoding.seconds.get());
+            if (progress_) {
+                progress_->step(items_[encoding.item].name());
             }
-            manifest.add(item.name(), entry);
-            progress_->step(item.name());
         }
     }
 
     /// Once the folder holds the whole set, draw its contact sheet, unless it shows the same already.
-    void finish(Manifest& manifest) {
-        const auto entries = manifest.entries();
+    void finish() {
+        const auto entries = manifest_->entries();
         for (const Item& item : items_) {
             const bool there =
                 entries.contains(item.name()) && fs::exists(request_.out / (item.name() + ".png"));
@@ -315,15 +290,21 @@ private:
             }
         }
         inputs = support::sha256(inputs);
-        if (manifest.contact_sheet_inputs() != inputs || !fs::exists(request_.out / "contact_sheet.png")) {
-            timed("contact sheet", [&] { write_contact_sheet(request_.out, protocol_); });
-            manifest.note_contact_sheet(inputs);
+        if (manifest_->contact_sheet_inputs() != inputs || !fs::exists(request_.out / "contact_sheet.png")) {
+            timed("contact sheet", [&] {
+                if (!sheet_) {
+                    sheet_.emplace(protocol_);
+                }
+                sheet_->write(request_.out);
+            });
+            manifest_->note_contact_sheet(inputs);
         }
     }
 
     const SetRequest& request_;
     study::Protocol protocol_;
     Selection selection_;
+    std::set<std::string> selected_; // names
     scene::Model model_;
     std::optional<renderer::gl::Context> context_;
     std::vector<Item> items_;
@@ -332,9 +313,11 @@ private:
     std::optional<passes::Pipeline> pipeline_;
     std::optional<renderer::reference::Reference> reference_;
     int references_rendered_ = 0;
-    std::deque<Encoding> queue_;
     std::optional<support::Progress> progress_;
     SetReport report_;
+    std::optional<Manifest> manifest_;
+    std::optional<ContactSheet> sheet_;
+    std::deque<Encoding> queue_; // its threads use all that stands above
 };
 
 } // namespace

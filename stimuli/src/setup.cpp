@@ -90,6 +90,7 @@ passes::Methods methods(const study::Protocol& protocol) {
     passes::Methods result;
     result.ts.map_size = protocol.ts.map_size;
     result.ts.unblurred_first = protocol.ts.unblurred_first;
+    result.ts.culled = protocol.ts.culled;
     result.jittered.taps = protocol.ss_jittered.taps;
     result.jittered.unit_mm = static_cast<float>(protocol.ss_jittered.unit_mm);
     result.jittered.foreshortening = foreshortening(protocol.ss_jittered.exact_foreshortening);

@@ -325,6 +325,7 @@ Protocol read_protocol(const fs::path& file) {
     TomlTable ts = root.table("ts");
     protocol.ts.map_size = ts.integer("map_size", 16, largest_side, protocol.ts.map_size);
     protocol.ts.unblurred_first = ts.boolean("unblurred_first", protocol.ts.unblurred_first);
+    protocol.ts.culled = ts.boolean("culled", protocol.ts.culled);
 
     protocol.ss_jittered = read_jittered(root.table("ss_jittered"));
     protocol.ss_full = read_full(root.table("ss_full"));

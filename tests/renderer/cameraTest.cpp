@@ -16,7 +16,8 @@ constexpr float pi = 3.14159265f;
 /// Where a camera puts a place, pixels from the image's lower left corner.
 glm::vec2 pixel_of(const scene::Camera& camera, const glm::vec3& place_mm) {
     const scene::Bounds around{place_mm - 1.0f, place_mm + 1.0f};
-    const glm::vec4 clip = camera.projection(around) * camera.view() * glm::vec4(place_mm, 1);
+    const glm::vec4 clip =
+        camera.projection(around) * glm::vec4(camera.rotation() * (place_mm - camera.eye_mm), 1);
     const glm::vec2 ndc = glm::vec2(clip) / clip.w;
     return (0.5f * ndc + 0.5f) *
            glm::vec2(static_cast<float>(camera.width), static_cast<float>(camera.height));

@@ -219,6 +219,20 @@ TEST(ReferenceTest, passesThroughBackFacesOfSingleSidedMaterialsAlone) {
     EXPECT_EQ(behind, glm::vec4(0, 0, 0, 1)); // seen, and turned away from the light
 }
 
+// Each pixel of this view wants dozens of cells, some 4 million. A tenth of that gives larger cells; a
+// thousandth would show them.
+TEST(ReferenceTest, refusesAViewThatNeedsFarMoreCellsThanItMayHave) {
+    const scene::Model model = scenes::plane(100);
+    const scene::Camera camera = scenes::camera(200, 300, 300);
+    const scene::Look look = look_with(0.2 * 200 / static_cast<double>(camera.focal_px()));
+    const auto most = [&](std::size_t cells) {
+        reference::Reference(model, look, {.samples_per_side = 1, .most_cells = cells})
+            .render(camera, scenes::frontal_light());
+    };
+    EXPECT_NO_THROW(most(400'000));
+    EXPECT_THROW(most(4'000), support::InputError);
+}
+
 TEST(ReferenceTest, refusesWhatHasNoPicture) {
     const scene::Model model = scenes::plane(30);
     const scene::Look look = scenes::diffuse_look();

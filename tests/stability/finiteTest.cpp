@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include <support/error.h>
 
@@ -103,6 +105,23 @@ TEST_F(FiniteTest, imagesMayHaveAnySize) {
             const Frame frame = pipeline.render(shader, given.camera, given.light, true);
             EXPECT_TRUE(is_filled(frame)) << renderer::passes::shader_name(shader);
         }
+    }
+}
+
+// Beyond 2^24 texels floats miss whole numbers, and a filter that steps from texel to texel never ends. A
+// white map is white wherever it is read, so that nothing may show.
+TEST_F(FiniteTest, mapsMayRepeatMillionsOfTimes) {
+    Case given = filled(40, 30, 1);
+    given.model.materials[0].base_color = std::make_shared<renderer::scene::Image>(
+        renderer::scene::Image{16, 8, 3, std::vector<std::uint8_t>(std::size_t{3} * 16 * 8, 255)});
+    for (renderer::scene::Vertex& vertex : given.model.meshes[0].vertices) {
+        vertex.uv = vertex.uv * 1e6f + 3e6f;
+    }
+    // Seen from the side, where maps are filtered anisotropically.
+    given.camera.eye_mm.x = -200;
+    given.camera.fov_rad = 0.5f;
+    for (const Shader shader : {Shader::no_sss, Shader::ss_jittered, Shader::ss_full}) {
+        EXPECT_TRUE(is_filled(rendered(given, shader))) << renderer::passes::shader_name(shader);
     }
 }
 

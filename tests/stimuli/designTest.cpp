@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <support/error.h>
@@ -15,14 +16,28 @@ study::Protocol paper() { return study::read_protocol(PROTOCOLS "/jimenez2009.to
 
 std::vector<std::string> kept(const std::vector<std::string>& only, const std::string& shard = "") {
     const study::Protocol protocol = paper();
-    const stimuli::Selection selection = stimuli::selection(only, shard, protocol);
+    const auto keep = stimuli::selected(stimuli::selection(only, shard, protocol), protocol);
     std::vector<std::string> names;
     for (const stimuli::Item& item : stimuli::design(protocol)) {
-        if (selection.keeps(item, protocol)) {
+        if (keep.contains(item.name())) {
             names.push_back(item.name());
         }
     }
     return names;
+}
+
+/// How many different values the last part (light) or the last two parts (light and camera) of the names
+/// take.
+std::size_t distinct(const std::vector<std::string>& names, int parts) {
+    std::set<std::string> seen;
+    for (const std::string& name : names) {
+        std::size_t at = name.size();
+        for (int part = 0; part < parts; ++part) {
+            at = name.rfind('_', at - 1);
+        }
+        seen.insert(name.substr(at));
+    }
+    return seen.size();
 }
 
 } // namespace
@@ -56,17 +71,53 @@ TEST(DesignTest, onlyRefusesWhatTheProtocolLacks) {
     }
 }
 
-TEST(DesignTest, shardsAreDisjointAndCompleteAndKeepViewsWhole) {
-    std::multiset<std::string> all;
-    for (const char* shard : {"1/5", "2/5", "3/5", "4/5", "5/5"}) {
-        const auto part = kept({}, shard);
-        EXPECT_EQ(part.size() % 4, 0u);
-        EXPECT_GE(part.size(), 8u);
-        all.insert(part.begin(), part.end());
+TEST(DesignTest, onlyNamesWhatItTakes) {
+    try {
+        kept({"shader=references"});
+        FAIL();
+    } catch (const support::InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("ss_full, reference, found"), std::string::npos) << error.what();
     }
-    EXPECT_EQ(all.size(), 48u);
-    EXPECT_EQ(std::set<std::string>(all.begin(), all.end()).size(), 48u);
+}
+
+// What is to be split may be any number of images into any number of parts, more than there are images, too.
+TEST(DesignTest, shardsAreDisjointAndCompleteAndEvenToOneImage) {
+    for (const std::vector<std::string>& only : {std::vector<std::string>{},
+                                                 {"shader=ts,ss_full", "distance=far"},
+                                                 {"azimuth=60", "shader=no_sss"}}) {
+        const auto whole = kept(only);
+        for (const int shards : {1, 2, 3, 4, 5, 7, 12, 47, 48, 60}) {
+            std::multiset<std::string> all;
+            for (int shard = 1; shard <= shards; ++shard) {
+                const auto part = kept(only, fmt::format("{}/{}", shard, shards));
+                const std::size_t least = whole.size() / static_cast<std::size_t>(shards);
+                EXPECT_TRUE(part.size() == least || part.size() == least + 1) << shard << "/" << shards;
+                all.insert(part.begin(), part.end());
+            }
+            EXPECT_EQ(all, std::multiset<std::string>(whole.begin(), whole.end())) << shards;
+        }
+    }
     for (const char* wrong : {"0/2", "3/2", "1", "1/0", "a/b", "1/2/3", "-1/2"}) {
         EXPECT_THROW(kept({}, wrong), support::InputError) << wrong;
     }
+}
+
+// A run of images in the order of lights and views cuts through at most one more of each than it must touch.
+TEST(DesignTest, shardsKeepImagesOfOneLightTogether) {
+    for (int shard = 1; shard <= 4; ++shard) { // 12 images: a light each
+        EXPECT_EQ(distinct(kept({}, fmt::format("{}/4", shard)), 1), 1u);
+    }
+    for (int shard = 1; shard <= 5; ++shard) { // 9 or 10 images: less than a light, at least two views
+        const auto part = kept({}, fmt::format("{}/5", shard));
+        EXPECT_LE(distinct(part, 1), 2u);
+        EXPECT_LE(distinct(part, 2), 4u);
+    }
+}
+
+// A protocol need not list the reference; which part an image is in does not depend on what a folder holds.
+TEST(DesignTest, theReferenceIsKeptWhereItIsAskedFor) {
+    const study::Protocol protocol = paper();
+    const auto names = stimuli::selected(
+        stimuli::selection({"shader=reference", "distance=far"}, "2/2", protocol), protocol);
+    EXPECT_EQ(names, (std::set<std::string>{"reference_far_110", "reference_far_150"}));
 }

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "gnuplot.h"
+#include <support/gnuplot.h>
 
 namespace measure {
 namespace {
@@ -103,7 +103,7 @@ std::string accuracy_svg(const AccuracyResult& result, std::span<const Summary> 
     for (std::size_t i = 0; i < distances.size(); ++i) {
         script += panel(summaries, distances[i], i, distances.size());
     }
-    return gnuplot_svg(script + "unset multiplot\n");
+    return support::gnuplot_svg(script + "unset multiplot\n");
 }
 
 } // namespace measure

@@ -13,6 +13,7 @@ namespace measure {
 
 /// protocols/jimenez2009.toml as it was when the program was built, for where no protocol is given.
 study::Protocol study_of_2009();
+std::string_view study_of_2009_text();
 
 /// One shader as a user could set it.
 struct Setting {

@@ -7,7 +7,6 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <memory>
 #include <numeric>
@@ -24,6 +23,7 @@
 #include <support/progress.h>
 #include <support/random.h>
 
+#include "../processor.h"
 #include "frame_check.h"
 
 namespace measure {
@@ -291,17 +291,6 @@ private:
 };
 
 } // namespace
-
-std::string processor_name() {
-    std::ifstream file("/proc/cpuinfo");
-    for (std::string line; std::getline(file, line);) {
-        const auto colon = line.find(": ");
-        if (line.starts_with("model name") && colon != std::string::npos) {
-            return line.substr(colon + 2);
-        }
-    }
-    return "unknown";
-}
 
 double median(std::vector<double> values) {
     std::sort(values.begin(), values.end());

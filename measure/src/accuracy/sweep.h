@@ -54,9 +54,6 @@ struct AccuracyResult {
 /// sound.
 AccuracyResult run_accuracy(const AccuracyRequest& request);
 
-/// The name of the processor, as Linux has it.
-std::string processor_name();
-
 /// The middle value, or the mean of the two in the middle; and the median distance from it.
 double median(std::vector<double> values);
 double median_deviation(const std::vector<double>& values);

@@ -35,7 +35,7 @@ constexpr const char* footer = R"(DESCRIPTION
   The model stands in its place as often as there are heads; texture space keeps a map of 1024 texels for each.
 
   ts is timed in its published form ("faithful"): an irradiance map for each head whether it can be seen or not, the
-  lighting of the final pass as the narrowest Gaussian. Out of view the program skips all of ts as well; there the
+  lighting of the final pass as the narrowest Gaussian. "culled" is ts with maps lit and sized by what the camera sees. Out of view the program skips all of ts as well; there the
   faithful form is with culling off.
 
   Every setting is checked before anything is timed: its frames are finite, the same twice, and empty only where they

@@ -45,6 +45,24 @@ double scattering_ms(const EffectRow& row) {
     return found == row.node_ms.end() ? 0 : found->second;
 }
 
+/// The culled texture space's time over that of screen space.
+void add_culled(const FramesResult& result, std::vector<std::string>& findings) {
+    for (const std::string_view distance : {"medium", "far"}) {
+        const FramePlace place{"table7_2", "distance", distance};
+        const FrameRow* screen = find(result, place, "ss_full", 1);
+        const auto texture = std::find_if(result.rows.begin(), result.rows.end(), [&](const FrameRow& row) {
+            return row.place == place && row.setting == "culled" && row.msaa == 1;
+        });
+        if (screen != nullptr && texture != result.rows.end()) {
+            const double ratio = texture->time_ms / screen->time_ms;
+            findings.push_back(
+                fmt::format("{}: ss_full is never to be slower than ts in its culled form; found {:.2f} "
+                            "times its frames: {}",
+                            distance, ratio, verdict(ratio >= 1)));
+        }
+    }
+}
+
 void add_far(const FramesResult& result, std::vector<std::string>& findings) {
     const FrameRow* none = find(result, {"table7_2", "distance", "far"}, "no_sss", 1);
     const EffectRow* effects = find_effects(result, "one_head_far");
@@ -97,6 +115,7 @@ std::vector<std::string> frame_findings(const FramesResult& result) {
                             *row->fps_over_ts, verdict(*row->fps_over_ts >= wanted.fps_over_ts)));
         }
     }
+    add_culled(result, findings);
     add_far(result, findings);
     if (result.empty_over_clear > 0) {
         findings.push_back(

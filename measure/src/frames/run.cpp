@@ -18,6 +18,7 @@
 #include <support/random.h>
 
 #include "../accuracy/sweep.h"
+#include "../processor.h"
 #include "bandwidth.h"
 #include "scenes.h"
 #include "soundness.h"
@@ -175,12 +176,14 @@ private:
     passes::Pipeline& pipeline(const Timed& timed, std::size_t setting) {
         const FrameSetting& wanted = timed.settings[setting];
         const std::string key =
-            fmt::format("{}, {}", timed.scene.rig_key(), wanted.switches.cull ? "culling" : "not culling");
+            fmt::format("{}, {}{}", timed.scene.rig_key(), wanted.switches.cull ? "culling" : "not culling",
+                        wanted.methods.ts.culled ? ", culled maps" : "");
         std::unique_ptr<passes::Pipeline>& found = pipelines_[key];
         if (!found) {
             found = std::make_unique<passes::Pipeline>(*models_.at(timed.scene.model_key()),
                                                        stimuli::look(timed.protocol), wanted.methods,
                                                        wanted.switches);
+            found->time_nodes(wanted.time_nodes);
         }
         return *found;
     }
@@ -247,7 +250,7 @@ private:
         const scene::Camera camera = next_camera(timed);
         const passes::Costs before = used.costs();
         timed.frame_ms[at].push_back(gl_time_ms([&] { used.draw(setting.shader, camera, light); }));
-        if (setting.switches.time_nodes) {
+        if (setting.time_nodes) {
             for (const auto& [node, cost] : used.costs()) {
                 const auto earlier = before.find(node);
                 const double seconds = cost.seconds - (earlier == before.end() ? 0 : earlier->second.seconds);
@@ -303,8 +306,10 @@ private:
                 }
                 row.fps_over_ts = median(ratios);
                 const bool multisampled = timed.scene.samples > 1;
-                row.published_fps = published_fps(place, row.shader, multisampled);
-                row.published_fps_over_ts = published_fps_over_ts(place, row.shader, multisampled);
+                if (row.setting != culled) { // which the papers do not time
+                    row.published_fps = published_fps(place, row.shader, multisampled);
+                    row.published_fps_over_ts = published_fps_over_ts(place, row.shader, multisampled);
+                }
                 row.skin_pixels = timed.skin_pixels;
                 result_.rows.push_back(row);
             }

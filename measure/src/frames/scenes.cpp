@@ -176,10 +176,9 @@ std::vector<FrameSetting> frame_settings(const FrameScene& scene, const study::P
     methods.ts.unblurred_first = true; // as published
     passes::Switches switches;
     switches.share = false; // every frame computes all that it needs
-    switches.time_nodes = scene.effects;
     const std::string own = "default";
     if (scene.effects) {
-        return {{Shader::ss_full, own, methods, switches}};
+        return {{Shader::ss_full, own, methods, switches, true}};
     }
     std::vector<FrameSetting> settings{{Shader::no_sss, own, methods, switches},
                                        {Shader::ss_full, own, methods, switches}};
@@ -192,6 +191,9 @@ std::vector<FrameSetting> frame_settings(const FrameScene& scene, const study::P
     settings.push_back({Shader::ts, std::string(faithful), methods, switches});
     if (scene.places.front().table == "table3") {
         settings.push_back({Shader::ss_jittered, own, methods, switches});
+    } else if (!scene.outside) {
+        methods.ts.culled = true;
+        settings.push_back({Shader::ts, std::string(culled), methods, switches});
     }
     return settings;
 }

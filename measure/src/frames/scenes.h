@@ -53,10 +53,11 @@ struct FrameSetting {
     std::string name; ///< what is special about it
     renderer::passes::Methods methods;
     renderer::passes::Switches switches;
+    bool time_nodes = false; ///< one by one
 };
 /// What a scene is rendered by. The setting that others are compared with has the name `faithful`.
 std::vector<FrameSetting> frame_settings(const FrameScene& scene, const study::Protocol& protocol);
-inline constexpr std::string_view faithful = "faithful";
+inline constexpr std::string_view faithful = "faithful", culled = "culled";
 
 /// Of one copy of the model.
 struct ModelFacts {

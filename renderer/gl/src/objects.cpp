@@ -152,6 +152,10 @@ void Framebuffer::clear_color(int attachment, const glm::vec4& value) const {
     glClearNamedFramebufferfv(id(), GL_COLOR, attachment, glm::value_ptr(value));
 }
 
+void Framebuffer::clear_color(int attachment, const glm::uvec4& value) const {
+    glClearNamedFramebufferuiv(id(), GL_COLOR, attachment, glm::value_ptr(value));
+}
+
 void Framebuffer::clear_depth(float value) const { glClearNamedFramebufferfv(id(), GL_DEPTH, 0, &value); }
 
 Buffer::Buffer(const void* data, std::size_t bytes) : handle_(created(glCreateBuffers)) {

@@ -6,10 +6,20 @@
 
 // The lit frame in one pass [Jimenez2009, section 4]: what scatters, what is applied after scattering, what is
 // reflected, and how deep it lies. Alpha of the diffuse light is the matte, of the specular the coverage.
+// Where a pixel has several samples (PACKED, defined by the program), each is stored in 32 bytes, as writing them costs
+// as much as computing them: see packed_sample.glsl.
+#if PACKED
+#include "packed_sample.glsl"
+layout(location = 0) out vec4 packed_diffuse;
+layout(location = 1) out uvec4 packed_rest;
+vec4 diffuse, after_scattering, specular;
+float depth_mm;
+#else
 layout(location = 0) out vec4 diffuse;
 layout(location = 1) out vec4 after_scattering;
 layout(location = 2) out vec4 specular;
 layout(location = 3) out float depth_mm;
+#endif
 
 uniform vec3 eye_mm;
 uniform float fresnel_f0;
@@ -59,5 +69,9 @@ void main() {
     diffuse = vec4(0.0);
     after_scattering = vec4(0.0);
     depth_mm = 0.0;
+#endif
+#if PACKED
+    packed_diffuse = vec4(diffuse.rgb, depth_mm);
+    packed_rest = packed_sample(after_scattering.rgb, specular.rgb);
 #endif
 }

@@ -43,7 +43,7 @@ vec3 direction_of(vec3 v) {
 
 vec3 albedo() {
 #if COLOR_MAP
-    return base_color_factor * texture(base_color_map, surface_uv()).rgb;
+    return base_color_factor * surface_texture(base_color_map).rgb;
 #else
     return base_color_factor;
 #endif
@@ -56,7 +56,7 @@ vec3 part_of_color(vec3 color, float exponent) { return exponent > 0.0 ? pow(col
 float slope() {
     float roughness = roughness_factor;
 #if ROUGHNESS_MAP
-    roughness *= texture(roughness_map, surface_uv()).g;
+    roughness *= surface_texture(roughness_map).g;
 #endif
     return max(roughness * roughness, 0.02);
 }
@@ -73,7 +73,7 @@ vec3 mapped_normal() {
 #else
     vec3 T = direction_of(surface_tangent().xyz - N * dot(N, surface_tangent().xyz));
     vec3 B = cross(N, T) * surface_tangent().w;
-    vec3 n = texture(normal_map, surface_uv()).xyz * 2.0 - 1.0;
+    vec3 n = surface_texture(normal_map).xyz * 2.0 - 1.0;
     return direction_of((T * n.x + B * n.y) * normal_scale + N * n.z); // green and bitangent both point up the image
 #endif
 }

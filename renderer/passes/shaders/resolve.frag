@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: MIT
 
 #version 450 core
+#include "packed_sample.glsl"
 
 // Resolve the lit frame: what scatters and its depth are means over the samples that show skin, the matte is 1 where any
 // does; the rest are means over all covered samples, and the coverage is their share. Nothing of the background mixes
 // into the skin.
-layout(binding = 0) uniform sampler2DMS diffuse_samples;
-layout(binding = 1) uniform sampler2DMS after_samples;
-layout(binding = 2) uniform sampler2DMS specular_samples;
-layout(binding = 3) uniform sampler2DMS depth_samples;
+layout(binding = 0) uniform sampler2DMS diffuse_samples; // rgb, depth
+layout(binding = 1) uniform usampler2DMS rest_samples;
 uniform int samples;
 
 layout(location = 0) out vec4 diffuse;          // rgb, matte
@@ -26,15 +25,15 @@ void main() {
     float skin = 0.0;
     float covered = 0.0;
     for (int i = 0; i < samples; ++i) {
-        vec4 s_i = texelFetch(specular_samples, pixel, i);
-        if (s_i.a > 0.0) {
-            vec4 d_i = texelFetch(diffuse_samples, pixel, i);
+        uvec4 rest = texelFetch(rest_samples, pixel, i);
+        if (is_covered(rest)) {
+            vec4 light = texelFetch(diffuse_samples, pixel, i);
             covered += 1.0;
-            skin += d_i.a;
-            d += d_i.rgb;
-            a += texelFetch(after_samples, pixel, i).rgb;
-            s += s_i.rgb;
-            z += texelFetch(depth_samples, pixel, i).r;
+            skin += light.a > 0.0 ? 1.0 : 0.0;
+            d += light.rgb;
+            a += after_scattering_of(rest);
+            s += specular_of(rest);
+            z += light.a;
         }
     }
     float scale = covered > 0.0 ? 1.0 / covered : 0.0;

@@ -17,3 +17,10 @@ vec3 surface_normal() { return interpolated.normal / interpolated.unity; }
 vec4 surface_tangent() { return interpolated.tangent / interpolated.unity; }
 vec2 surface_uv() { return interpolated.uv / interpolated.unity; }
 float surface_depth_mm() { return interpolated.depth_mm / interpolated.unity; }
+
+// A map where the surface shows it. Repeats are left out: llvmpipe's anisotropic filter never ends beyond 2^24 texels,
+// where floats miss whole numbers.
+vec4 surface_texture(sampler2D map) {
+    vec2 uv = surface_uv();
+    return textureGrad(map, fract(uv), dFdx(uv), dFdy(uv));
+}

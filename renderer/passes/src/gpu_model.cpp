@@ -32,7 +32,6 @@ gl::Texture uploaded(const scene::ImagePtr& image, bool srgb, const scene::Image
     texture.upload(source.channels == 4 ? GL_RGBA : GL_RGB, GL_UNSIGNED_BYTE, source.pixels.data());
     texture.generate_mipmaps();
     texture.filter(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT);
-    sharpen(texture);
     return texture;
 }
 
@@ -44,11 +43,14 @@ glm::vec3 relative(const glm::vec3& place_mm, const glm::dvec3& origin_mm) {
 /// Textures of images, each uploaded once.
 class Textures {
 public:
-    std::shared_ptr<const gl::Texture> of(const scene::ImagePtr& image, bool srgb,
+    std::shared_ptr<const gl::Texture> of(const scene::ImagePtr& image, bool srgb, bool sharp,
                                           const scene::Image& fallback) {
         std::shared_ptr<const gl::Texture>& texture = textures_[{image ? image.get() : &fallback, srgb}];
         if (!texture) {
             texture = std::make_shared<gl::Texture>(uploaded(image, srgb, fallback));
+            if (sharp) {
+                sharpen(*texture);
+            }
         }
         return texture;
     }
@@ -113,9 +115,9 @@ GpuModel::GpuModel(const scene::Model& model, float default_slope) {
     Textures textures;
     for (const scene::Material& source : model.materials) {
         Material material;
-        material.base_color = textures.of(source.base_color, true, white);
-        material.normal = textures.of(source.normal, false, flat);
-        material.roughness = textures.of(source.roughness, false, white);
+        material.base_color = textures.of(source.base_color, true, true, white);
+        material.normal = textures.of(source.normal, false, true, flat);
+        material.roughness = textures.of(source.roughness, false, false, white);
         material.traits = {source.base_color != nullptr, source.normal && source.normal_scale != 0,
                            source.roughness != nullptr, source.scatters};
         material.base_color_factor = source.base_color_factor;

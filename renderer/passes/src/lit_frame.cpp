@@ -97,9 +97,8 @@ ReversedDepth::~ReversedDepth() {
 }
 
 LitPass::Samples::Samples(int width, int height, int count, const gl::Texture& depth)
-    : resolve(load_screen_program("resolve.frag")), diffuse(light_format(), width, height, 1, count),
-      after(light_format(), width, height, 1, count), specular(light_format(), width, height, 1, count),
-      depth_mm(GL_R32F, width, height, 1, count), target({&diffuse, &after, &specular, &depth_mm}, &depth) {}
+    : resolve(load_screen_program("resolve.frag")), diffuse(GL_RGBA32F, width, height, 1, count),
+      rest(GL_RGBA32UI, width, height, 1, count), target({&diffuse, &rest}, &depth) {}
 
 LitPass::LitPass(int width, int height, int samples)
     : sample_count_(samples), programs_("surface.vert", "lit.frag"),
@@ -122,9 +121,7 @@ void LitPass::resolve(const PixelRect& rect) {
     begin_rect(target_, rect);
     samples_->resolve.use();
     samples_->diffuse.bind(0);
-    samples_->after.bind(1);
-    samples_->specular.bind(2);
-    samples_->depth_mm.bind(3);
+    samples_->rest.bind(1);
     samples_->resolve.set("samples", sample_count_);
     draw_screen();
     end_rect();
@@ -140,17 +137,26 @@ const LitFrame& LitPass::render(const GpuModel& model, const GpuModel::View& vie
         clear_outside();
     }
     begin_rect(target, view.rect);
-    for (int attachment = 0; attachment < 4; ++attachment) {
-        target.clear_color(attachment, glm::vec4(0));
+    if (samples_) {
+        target.clear_color(0, glm::vec4(0));
+        target.clear_color(1, glm::uvec4(0));
+    } else {
+        for (int attachment = 0; attachment < 4; ++attachment) {
+            target.clear_color(attachment, glm::vec4(0));
+        }
     }
     target.clear_depth(0);
     std::set<const gl::Program*> ready;
+    maps_read_ = 0;
     {
         const ReversedDepth depth;
         for (const GpuModel::Part& part : view.parts) {
             const std::size_t material = model.meshes()[part.mesh].material;
-            const gl::Program& program =
-                programs_.with(look.defines(model.traits(material), beams.size(), switches));
+            Defines defines = look.defines(model.traits(material), beams.size(), switches);
+            defines["PACKED"] = samples_ ? 1 : 0;
+            maps_read_ +=
+                defines["COLOR_MAP"] + defines["NORMAL_MAP"] + defines["ROUGHNESS_MAP"] + defines["SPECULAR"];
+            const gl::Program& program = programs_.with(defines);
             program.use();
             if (ready.insert(&program).second) {
                 set_camera(program, camera, model.bounds());

@@ -57,19 +57,22 @@ public:
                            const std::vector<std::size_t>& beams, const ShadowMap& shadow,
                            const Switches& switches);
     const LitFrame& frame() const { return frame_; }
+    /// How many maps the materials of the frame rendered last read.
+    int maps_read() const { return maps_read_; }
 
 private:
     /// One value a sample, where a pixel has several.
     struct Samples {
         Samples(int width, int height, int count, const gl::Texture& depth);
         gl::Program resolve;
-        gl::Texture diffuse, after, specular, depth_mm;
+        gl::Texture diffuse, rest;
         gl::Framebuffer target;
     };
     void clear_outside();
     void resolve(const PixelRect& rect);
 
     int sample_count_;
+    int maps_read_ = 0;
     ProgramVariants programs_;
     gl::Texture depth_; // of the samples
     LitFrame frame_;

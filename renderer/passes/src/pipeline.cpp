@@ -76,8 +76,9 @@ struct Pipeline::State {
     std::unique_ptr<TextureSpace> texture_space;
     std::unique_ptr<Finish> finish;
     glm::ivec2 size{0};
+    bool time_nodes = true;
     // What the nodes hold now.
-    std::optional<Light> irradiance_light;
+    std::optional<std::pair<scene::Camera, Light>> irradiance_view; // any camera, if not culled
     std::optional<std::pair<scene::Camera, Light>> lit_view;
     GpuModel::View view;
     Costs costs;
@@ -96,7 +97,7 @@ struct Pipeline::State {
         const auto start = std::chrono::steady_clock::now();
         glBindVertexArray(no_vertices.id());
         work();
-        if (switches.time_nodes) {
+        if (time_nodes) {
             glFinish();
         }
         gl::check_errors(node);
@@ -125,7 +126,7 @@ struct Pipeline::State {
     }
 
     void forget() {
-        irradiance_light.reset();
+        irradiance_view.reset();
         lit_view.reset();
         shadow.forget();
     }
@@ -183,6 +184,7 @@ struct Pipeline::State {
         });
         lit_view.emplace(camera, light);
         counts["triangles"] = view.triangles - (switches.cull ? view.culled : 0);
+        counts["maps read"] = lit->maps_read();
         counts["triangles culled"] = switches.cull ? view.culled : 0;
     }
 
@@ -197,15 +199,34 @@ struct Pipeline::State {
         }
     }
 
+    void count_maps(const TextureSpaceCounts& maps) {
+        counts["uv layouts"] = maps.layouts;
+        counts["maps"] = maps.maps_lit;
+        counts["maps skipped"] = maps.maps_skipped;
+        counts["texels"] = maps.texels_lit;
+        counts["texels skipped"] = maps.texels_skipped;
+        counts["smallest map"] = maps.sizes.empty() ? 0 : *maps.sizes.begin();
+        if (maps.maps_skipped > 0) {
+            skipped.push_back(fmt::format("{} irradiance maps: out of view", maps.maps_skipped));
+        }
+        if (maps.texels_skipped > 0) {
+            skipped.push_back(fmt::format("{} texels of irradiance maps: neither seen nor near what is seen",
+                                          maps.texels_skipped));
+        }
+    }
+
     const gl::Texture& gathered(const scene::Camera& camera, const Light& light) {
         const LitFrame& frame = lit->frame();
         unwrap(camera);
-        if (irradiance_light != light) {
+        const std::pair wanted{methods.ts.culled ? camera : scene::Camera{}, light};
+        if (irradiance_view != wanted) {
             const std::vector<std::size_t> beams = bright_beams(light);
             see_shadows(light, beams);
-            timed("ts irradiance and blurs",
-                  [&] { texture_space->light(model, surface_look, light, beams, shadow, switches); });
-            irradiance_light = light;
+            timed("ts irradiance and blurs", [&] {
+                texture_space->light(model, view, camera, surface_look, light, beams, shadow, switches);
+            });
+            irradiance_view = wanted;
+            count_maps(texture_space->counts());
         } else {
             reused.emplace_back("ts irradiance and blurs");
         }
@@ -336,6 +357,7 @@ Frame Pipeline::render(Shader shader, const scene::Camera& camera, const Light& 
     return read(with_linear);
 }
 
+void Pipeline::time_nodes(bool wanted) { state_->time_nodes = wanted; }
 const Costs& Pipeline::costs() const { return state_->costs; }
 const std::vector<std::string>& Pipeline::warnings() const { return state_->warnings; }
 

@@ -12,9 +12,9 @@
 namespace renderer::passes {
 namespace {
 
-// A Gaussian below this width changes no pixel that can be told from its neighbours: variance 0.04 beside the
+// A Gaussian below this width changes no pixel that can be told from its neighbours: variance 0.0625 beside the
 // 0.083 of the pixel's own square.
-constexpr float narrowest_px = 0.2f;
+constexpr float narrowest_px = 0.25f;
 // Halving and enlarging the image adds a variance of 0.25 and 0.75 pixels squared; from this width on, that
 // can be taken off the Gaussian.
 constexpr float half_resolution_px = 2.5f;
@@ -126,6 +126,7 @@ void ScreenSpace::begin_half(const gl::Texture& source, const LitFrame& lit, con
     half.middle_px *= 0.5f;
     half.height = (half.height + 1) / 2;
     half.rect = half_of(half.rect);
+    half.scale = 0.5f;
     half_->halve.use();
     source.bind(0);
     lit.depth_mm.bind(1);

@@ -22,7 +22,7 @@ ScreenSurface::ScreenSurface(int width, int height, Foreshortening foreshortenin
       depth_buffer_(GL_DEPTH_COMPONENT32F, width, height), target_({&shapes_, &planes_}, &depth_buffer_) {}
 
 float ScreenSurface::kernel_px_mm() const {
-    return stretch_.alpha ? *stretch_.alpha * published_depth_unit_mm : geometry_.focal_px;
+    return stretch_.alpha ? *stretch_.alpha * published_depth_unit_mm * geometry_.scale : geometry_.focal_px;
 }
 
 float ScreenSurface::buffered(float depth_mm) const {
@@ -40,12 +40,12 @@ void ScreenSurface::find(const gl::Texture& depth_mm, const ScreenGeometry& geom
     // Physically, a width at depth d covers focal_px / d pixels, and a surface tilted by dz/dx is
     // foreshortened by about 1 / (1 + |dz/dx|), dz/dx being the gradient per pixel times focal_px / d: so
     // alpha and beta of Eqs. 2-3 are both focal_px. The published alpha is in the unit that makes 11 physical
-    // for the 2009 stimuli.
+    // for the 2009 stimuli. A given alpha or beta is in pixels of the image.
     program_.use();
     program_.set("focal_px", geometry.focal_px);
     program_.set("middle_px", geometry.middle_px);
     program_.set("kernel_px_mm", kernel_px_mm());
-    program_.set("beta_px", stretch_.beta.value_or(geometry.focal_px));
+    program_.set("beta_px", stretch_.beta ? *stretch_.beta * geometry.scale : geometry.focal_px);
     program_.set("nearest_mm", geometry.nearest_mm);
     depth_mm.bind(0);
     begin_rect(target_, geometry.rect);

@@ -18,6 +18,7 @@ struct ScreenGeometry {
     int height = 0;
     PixelRect rect{};     ///< no skin outside
     float nearest_mm = 1; ///< no skin before this depth
+    float scale = 1;      ///< pixels of the pass per pixel of the image
 };
 
 /// How deep the skin is at each pixel, which plane it lies in, and how kernels look there: what all passes of

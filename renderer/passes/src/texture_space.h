@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -12,14 +14,24 @@
 #include "gpu_model.h"
 #include "lit_frame.h"
 #include "program_variants.h"
-#include "screen_blur.h"
 #include "shadow_map.h"
+#include "uv_layout.h"
+#include "uv_maps.h"
 
 namespace renderer::passes {
 
+/// What of texture space was lit, and what was left out.
+struct TextureSpaceCounts {
+    int layouts = 0;                              ///< that differ; copies share one
+    int maps_lit = 0, maps_skipped = 0;           ///< skipped: nothing of them is in view
+    long long texels_lit = 0, texels_skipped = 0; ///< on charts of the maps lit
+    std::set<int> sizes;                          ///< of the maps lit, texels a side
+};
+
 /// Subsurface scattering in texture space [DEonLuebke2007]: a square irradiance map for each material,
 /// blurred by a cascade of Gaussians whose widths follow a stretch map that is blurred along. The narrowest
-/// Gaussian, finer than a texel, is left to the screen.
+/// Gaussian, finer than a texel, is left to the screen. Materials that are copies of each other share what
+/// depends on the mesh alone.
 class TextureSpace {
 public:
     /// Unwrap the model: charts, stretch maps and their blurs depend on nothing else.
@@ -27,44 +39,58 @@ public:
     TextureSpace(const scene::Model& source, const GpuModel& model, const optics::Profile& profile,
                  const Methods& methods, int width, int height, int samples);
 
-    /// Light the maps and blur them. Once a light.
-    void light(const GpuModel& model, const SurfaceLook& look, const Light& light,
-               const std::vector<std::size_t>& beams, const ShadowMap& shadow, const Switches& switches);
+    /// Light the maps and blur them: once a light, or, in the culled form, once a view, whose camera is given
+    /// in the world.
+    void light(const GpuModel& model, const GpuModel::View& view, const scene::Camera& camera,
+               const SurfaceLook& look, const Light& light, const std::vector<std::size_t>& beams,
+               const ShadowMap& shadow, const Switches& switches);
 
     /// The weighted sum of the Gaussians on the screen, `narrowest` being the first of them. Once a view.
     const gl::Texture& gather(const GpuModel& model, const GpuModel::View& view, const LitFrame& lit,
                               const gl::Texture& narrowest, const scene::Camera& camera);
 
     const std::vector<std::string>& warnings() const { return warnings_; }
+    /// Of the last light().
+    const TextureSpaceCounts& counts() const { return counts_; }
 
 private:
     /// The maps of one material.
-    struct Map {
+    struct Skin {
         std::size_t material = 0;
-        glm::vec2 uv_origin{0}, uv_scale{1};
-        gl::Texture nearest, chart;
-        std::vector<gl::Texture> stretch;   ///< [k]: blurred k times
-        std::vector<gl::Texture> gaussians; ///< [k]: irradiance blurred k + 1 times
+        UvLayout layout;
+        std::size_t alike = 0;                             ///< the first skin that lies alike in its map
+        std::map<int, UvMaps> maps;                        ///< by size; of the first alone
+        std::map<int, std::vector<gl::Texture>> gaussians; ///< by size; [k]: irradiance blurred k + 1 times
+        int size = 0;                                      ///< of the maps lit last; 0: none
     };
-    Map unwrapped(const scene::Model& source, const GpuModel& model, std::size_t material);
-    void draw_charts(const scene::Model& source, const GpuModel& model, const Map& map) const;
+    void add_skin(const GpuModel& model, std::size_t material);
+    const UvMaps& maps(const GpuModel& model, const Skin& skin, int size);
+    std::vector<gl::Texture>& gaussians(Skin& skin, int size) const;
+    int fitting_size(const Skin& skin, const GpuModel& model, const GpuModel::View& view,
+                     const scene::Camera& camera) const;
+    /// The texels to light, as a depth buffer; null if there are none.
+    const gl::Texture* wanted(const Skin& skin, const UvMaps& maps, const GpuModel::View& view,
+                              const scene::Camera& camera);
+    void draw_irradiance(const gl::Program& irradiance, const GpuModel& model, const Skin& skin,
+                         const gl::Texture& target, const gl::Texture& wanted) const;
+    void blur(Skin& skin, const UvMaps& maps, const gl::Texture& wanted);
     void draw_gathered(const GpuModel& model, const GpuModel::View& view) const;
-    void blur(const gl::Texture& source, const gl::Texture& target, const Map& map, std::size_t step);
 
+    const scene::Model& source_;
     int size_, samples_;
-    float unit_mm_; ///< of the stretch maps: a texel's side, if the model's extent were spread over the map
-    std::vector<float> sigmas_mm_;
+    bool culled_;
+    float margin_mm_;                ///< light from farther is not seen
     std::vector<glm::vec3> weights_; ///< of the Gaussians that the maps hold
     glm::vec3 narrowest_weight_{0};
+    UvPasses passes_;
     ProgramVariants irradiance_;
-    gl::Program geometry_, dilate_, blur_, gather_, resolve_, add_narrowest_;
-    RatioTable ratios_;
-    gl::Sampler nearest_; ///< with no chart beyond the edge
-    gl::Texture raw_, half_blurred_, irradiance_map_;
+    gl::Program gather_, resolve_, add_narrowest_;
     gl::Texture gathered_samples_, depth_, gathered_, scattered_;
     gl::Framebuffer gather_target_, gathered_target_, scattered_target_;
-    std::vector<Map> maps_;
+    std::map<int, UvWorkspace> spaces_; ///< by size
+    std::vector<Skin> skins_;
     std::vector<std::string> warnings_;
+    TextureSpaceCounts counts_;
 };
 
 } // namespace renderer::passes

@@ -5,9 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include <tbb/parallel_for.h>
+
+#include <support/error.h>
 
 namespace renderer::reference {
 namespace {
@@ -18,6 +23,8 @@ constexpr int deepest_split = 48;
 // Longer triangles than this are halved: longest side squared over area; it is 2.3 if all sides are equal.
 constexpr double longest_shape = 6;
 constexpr std::size_t triangles_a_task = 256;
+// Cells may grow to this multiple of what the plan asks: wider, they would not resolve their Gaussians.
+constexpr double coarsest = 5;
 
 /// A part of a triangle, by the weights of its corners there, to be cut into side^2 congruent cells.
 struct Patch {
@@ -26,10 +33,20 @@ struct Patch {
     std::size_t side = 1;
 };
 
+/// How many cells all cutters have asked for, and how many they may.
+struct Budget {
+    std::size_t most = 0;
+    std::atomic<std::size_t> spent{0};
+
+    bool is_exceeded() const { return spent > most; }
+};
+
 class Cutter {
 public:
-    Cutter(const Geometry& geometry, const SamplingPlan& plan, double scale, std::vector<Patch>& patches)
-        : geometry_(geometry), plan_(plan), scale_(scale), patches_(patches) {}
+    /// Cuts nothing more once the budget is exceeded.
+    Cutter(const Geometry& geometry, const SamplingPlan& plan, double scale, Budget& budget,
+           std::vector<Patch>& patches)
+        : geometry_(geometry), plan_(plan), scale_(scale), budget_(budget), patches_(patches) {}
 
     void cut(TriangleId id) {
         corners_ = geometry_.corners(id);
@@ -41,7 +58,7 @@ private:
     void cut(const std::array<glm::dvec2, 3>& part, int depth) {
         const glm::dvec3 p[3] = {corners_.at(part[0]), corners_.at(part[1]), corners_.at(part[2])};
         const double area = 0.5 * glm::length(glm::cross(p[1] - p[0], p[2] - p[0]));
-        if (!(area > 0)) {
+        if (!(area > 0) || budget_.is_exceeded()) {
             return;
         }
         std::size_t longest = 0; // the side that starts at this corner
@@ -63,7 +80,9 @@ private:
         } else if (depth < deepest_split && length > widest_patch * spacing) {
             quarter(part, depth);
         } else {
-            patches_.push_back({id_, part, static_cast<std::size_t>(std::ceil(std::sqrt(area) / spacing))});
+            const auto side = static_cast<std::size_t>(std::ceil(std::sqrt(area) / spacing));
+            budget_.spent += side * side;
+            patches_.push_back({id_, part, side});
         }
     }
 
@@ -89,12 +108,15 @@ private:
     const Geometry& geometry_;
     const SamplingPlan& plan_;
     double scale_;
+    Budget& budget_;
     std::vector<Patch>& patches_;
     TriangleId id_;
     Corners corners_;
 };
 
-std::vector<Patch> all_patches(const Geometry& geometry, const SamplingPlan& plan, double scale) {
+/// Patches of at most `most` cells; none where that is too few.
+std::optional<std::vector<Patch>> all_patches(const Geometry& geometry, const SamplingPlan& plan,
+                                              double scale, std::size_t most) {
     std::vector<TriangleId> firsts; // of each task
     const auto& meshes = geometry.model().meshes;
     for (std::uint32_t m = 0; m < meshes.size(); ++m) {
@@ -102,15 +124,19 @@ std::vector<Patch> all_patches(const Geometry& geometry, const SamplingPlan& pla
             firsts.push_back({m, static_cast<std::uint32_t>(t)});
         }
     }
+    Budget budget{most};
     std::vector<std::vector<Patch>> parts(firsts.size());
     tbb::parallel_for(std::size_t{0}, firsts.size(), [&](std::size_t i) {
-        Cutter cutter(geometry, plan, scale, parts[i]);
+        Cutter cutter(geometry, plan, scale, budget, parts[i]);
         const std::size_t count = geometry.mesh(firsts[i]).indices.size() / 3;
         const std::size_t last = std::min(firsts[i].triangle + triangles_a_task, count);
         for (std::size_t t = firsts[i].triangle; t < last; ++t) {
             cutter.cut({firsts[i].mesh, static_cast<std::uint32_t>(t)});
         }
     });
+    if (budget.is_exceeded()) {
+        return std::nullopt;
+    }
     std::vector<Patch> patches;
     for (const std::vector<Patch>& part : parts) {
         patches.insert(patches.end(), part.begin(), part.end());
@@ -118,12 +144,21 @@ std::vector<Patch> all_patches(const Geometry& geometry, const SamplingPlan& pla
     return patches;
 }
 
-std::size_t cell_count(const std::vector<Patch>& patches) {
-    std::size_t count = 0;
-    for (const Patch& patch : patches) {
-        count += patch.side * patch.side;
+/// Patches as the plan asks, or coarser ones if their cells would be too many.
+std::vector<Patch> affordable_patches(const Geometry& geometry, const SamplingPlan& plan, std::size_t most) {
+    std::size_t triangles = 0; // each is a cell at the least
+    for (const scene::Mesh& mesh : geometry.model().meshes) {
+        triangles += mesh.indices.size() / 3;
     }
-    return count;
+    for (double scale = 1; scale <= coarsest; scale *= 1.2) {
+        if (auto patches = all_patches(geometry, plan, scale, most + triangles)) {
+            return std::move(*patches);
+        }
+    }
+    throw support::input_error(
+        "reference: surface cells: expected at most {}, found that the view needs more: a "
+        "smaller image, wider Gaussians or a camera farther away need fewer",
+        most);
 }
 
 /// Lights the cells of patches.
@@ -183,18 +218,7 @@ struct Lighting {
 
 std::vector<Cell> lit_cells(const Geometry& geometry, const Skin& skin, const View& view,
                             const scene::Light& light, const SamplingPlan& plan, std::size_t most) {
-    std::vector<Patch> patches = all_patches(geometry, plan, 1);
-    double scale = 1;
-    for (std::size_t count = cell_count(patches); count > most;) {
-        scale *= 1.05 * std::sqrt(static_cast<double>(count) / static_cast<double>(most));
-        patches = all_patches(geometry, plan, scale);
-        const std::size_t before = count;
-        count = cell_count(patches);
-        if (count == before) {
-            break; // one cell a triangle already
-        }
-    }
-
+    const std::vector<Patch> patches = affordable_patches(geometry, plan, most);
     std::vector<std::size_t> firsts{0};
     for (const Patch& patch : patches) {
         firsts.push_back(firsts.back() + patch.side * patch.side);

@@ -35,8 +35,9 @@ struct Cell {
     float total() const { return light.r + light.g + light.b; }
 };
 
-/// Cut the model into cells as the plan asks; if they would be more than `most`, into larger ones. None of
-/// those returned is dark.
+/// Cut the model into cells as the plan asks; if they would be more than `most` and one for each triangle,
+/// into larger ones. None of those returned is dark. Throws support::InputError if they would have to be so
+/// large that they do not resolve the profile.
 std::vector<Cell> lit_cells(const Geometry& geometry, const Skin& skin, const View& view,
                             const scene::Light& light, const SamplingPlan& plan, std::size_t most);
 

@@ -26,10 +26,6 @@ glm::mat3 Camera::rotation() const {
     return glm::mat3(glm::lookAt(glm::dvec3(0), axis, up));
 }
 
-glm::mat4 Camera::view() const {
-    return glm::mat4(glm::dmat4(glm::dmat3(rotation())) * glm::translate(glm::dmat4(1), -glm::dvec3(eye_mm)));
-}
-
 glm::mat4 Camera::projection(const Bounds& scene) const {
     // The corners' depths along the viewing axis bound those of the scene.
     const glm::mat3 turn = rotation();

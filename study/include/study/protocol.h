@@ -72,6 +72,7 @@ struct LensSettings {
 struct TextureSpaceSettings {
     int map_size = 1024;          ///< texels of the irradiance map's side
     bool unblurred_first = false; ///< the lighting of the final pass stands for the narrowest Gaussian
+    bool culled = false;          ///< light only what is in view, in maps as large as the screen asks for
 };
 
 /// Kernel widths on the screen [Jimenez2009, Eqs. 2-3]: physical, from millimetres, unless published values

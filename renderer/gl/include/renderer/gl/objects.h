@@ -92,6 +92,7 @@ public:
     /// Bind it for drawing, with the viewport over all of it.
     void bind() const;
     void clear_color(int attachment, const glm::vec4& value) const;
+    void clear_color(int attachment, const glm::uvec4& value) const;
     void clear_depth(float value) const;
 
 private:

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
@@ -40,6 +41,10 @@ struct TextureSpaceMethod {
     /// The published form: the lighting of the final pass stands for the narrowest Gaussian. Else it is that
     /// lighting, blurred on the screen.
     bool unblurred_first = false;
+    /// Maps are lit where the camera sees them or light reaches what it sees, within 2/255; and their sides,
+    /// halved down to an eighth of map_size, follow the size on the screen [JimenezGutierrez2008], within
+    /// 1/255 RMS. Else maps are whole, and lit once a light.
+    bool culled = false;
 };
 
 /// How the Gaussians' weighted sum is made.
@@ -93,21 +98,33 @@ struct Methods {
     FullMethod full;
 };
 
-/// What is shared and what is skipped. Each is on unless it is to be measured; the image stays the same to
-/// the bit unless said otherwise.
+/// What is shared and what is skipped. Each is on unless it is to be measured.
 struct Switches {
-    bool share = true;         ///< nodes are kept from frame to frame; else each frame computes all it needs
-    bool cull = true;          ///< parts of meshes that are out of view or turned away are not drawn
-    bool front_to_back = true; ///< the nearest mesh is drawn first
-    bool specialise = true;    ///< programs without what a material or look has none of
-    bool skip_unlit = true;    ///< no shadow map for a light that lights nothing in view
-    bool rectangle = true;     ///< nothing runs outside of the pixels that can show the model
-    bool early_test = true;    ///< the skin's depth keeps blurs off other pixels; else a branch in the shader
-    /// Gaussians too narrow to be seen are left out, pixel by pixel: within 1/255.
-    bool level_of_detail = true;
-    /// Wait for the end of each node, so that costs() can tell what each took.
-    bool time_nodes = true;
+    bool share = true;           ///< nodes are kept from frame to frame; else each frame computes all it needs
+    bool cull = true;            ///< parts of meshes that are out of view or turned away are not drawn
+    bool front_to_back = true;   ///< the nearest mesh is drawn first
+    bool specialise = true;      ///< programs without what a material or look has none of
+    bool skip_unlit = true;      ///< no shadow map for a light that lights nothing in view
+    bool rectangle = true;       ///< nothing runs outside of the pixels that can show the model
+    bool early_test = true;      ///< a depth test keeps blurs off other pixels; else a branch in the shader
+    bool level_of_detail = true; ///< Gaussians too narrow to be seen are left out, pixel by pixel
 };
+
+/// A switch by name. Without it frames are the same to `bound`, RMS of the 8-bit levels; 0: bit for bit.
+struct SwitchEntry {
+    std::string_view name;
+    bool Switches::*member;
+    double bound = 0;
+};
+constexpr SwitchEntry switch_list[]{{"share", &Switches::share},
+                                    {"cull", &Switches::cull},
+                                    {"front_to_back", &Switches::front_to_back},
+                                    {"specialise", &Switches::specialise},
+                                    {"skip_unlit", &Switches::skip_unlit},
+                                    {"rectangle", &Switches::rectangle},
+                                    {"early_test", &Switches::early_test},
+                                    {"level_of_detail", &Switches::level_of_detail, 1}};
+static_assert(sizeof(Switches) == std::size(switch_list) * sizeof(bool), "a switch lacks its line");
 
 /// Seconds spent in each kind of node since the pipeline was made, and how often it ran.
 struct NodeCost {
@@ -144,6 +161,8 @@ public:
     /// Both.
     Frame render(Shader shader, const scene::Camera& camera, const Light& light, bool with_linear = false);
 
+    /// Whether to wait for the end of each node, so that costs() tells what each took; so it is at first.
+    void time_nodes(bool wanted);
     const Costs& costs() const;
     /// Things about the model that a user should know, such as texture coordinates that overlap; filled by
     /// render().

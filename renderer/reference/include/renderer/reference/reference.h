@@ -47,8 +47,8 @@ public:
     Reference(const Reference&) = delete;
     Reference& operator=(const Reference&) = delete;
 
-    /// Throws support::InputError for a camera or a light that is not finite, an image without pixels, or a
-    /// light without direction.
+    /// Throws support::InputError for a camera or a light that is not finite, an image without pixels, a
+    /// light without direction, or a view that needs far more than most_cells.
     scene::Frame render(const scene::Camera& camera, const scene::Light& light, bool with_linear = false,
                         const Progress& progress = {});
 

@@ -17,8 +17,6 @@ struct Camera {
 
     /// Directions from world to view; the camera looks along -Z of the view, +Y up.
     glm::mat3 rotation() const;
-    /// Places from world to view.
-    glm::mat4 view() const;
     /// View to clip: x and y as usual, depth reversed, from 1 at a plane just before the bounds to 0 at
     /// infinity.
     glm::mat4 projection(const Bounds& scene) const;

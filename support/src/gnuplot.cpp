@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The skin2afc authors
 // SPDX-License-Identifier: MIT
 
-#include "gnuplot.h"
+#include <support/gnuplot.h>
 
 #include <array>
 #include <cerrno>
@@ -17,7 +17,7 @@
 
 extern char** environ;
 
-namespace stats {
+namespace support {
 namespace {
 
 /// A nameless file; plain files as the child's streams cannot fill up and block it as pipes do.
@@ -25,7 +25,7 @@ class ScratchFile {
 public:
     ScratchFile() : file_(std::tmpfile(), &std::fclose) {
         if (!file_) {
-            throw support::failure("a temporary file cannot be made: {}", std::strerror(errno));
+            throw failure("a temporary file cannot be made: {}", std::strerror(errno));
         }
     }
 
@@ -34,7 +34,7 @@ public:
     void write(const std::string& text) {
         if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size() ||
             std::fflush(file_.get()) != 0) {
-            throw support::failure("a temporary file cannot be written: {}", std::strerror(errno));
+            throw failure("a temporary file cannot be written: {}", std::strerror(errno));
         }
         std::rewind(file_.get());
     }
@@ -65,16 +65,16 @@ int run(const char* const* arguments, const ScratchFile& in, const ScratchFile& 
                                      const_cast<char* const*>(arguments), environ);
     posix_spawn_file_actions_destroy(&actions);
     if (error == ENOENT) {
-        throw support::failure("{}: expected the program on PATH (Debian package gnuplot-nox), found none",
-                               arguments[0]);
+        throw failure("{}: expected the program on PATH (Debian package gnuplot-nox), found none",
+                      arguments[0]);
     }
     if (error != 0) {
-        throw support::failure("{}: cannot be started: {}", arguments[0], std::strerror(error));
+        throw failure("{}: cannot be started: {}", arguments[0], std::strerror(error));
     }
     int status = 0;
     while (::waitpid(process, &status, 0) < 0) {
         if (errno != EINTR) {
-            throw support::failure("{}: cannot be waited for: {}", arguments[0], std::strerror(errno));
+            throw failure("{}: cannot be waited for: {}", arguments[0], std::strerror(errno));
         }
     }
     return status;
@@ -82,15 +82,19 @@ int run(const char* const* arguments, const ScratchFile& in, const ScratchFile& 
 
 } // namespace
 
-std::string gnuplot(const std::string& script) {
+std::string gnuplot_svg(const std::string& script) {
     ScratchFile in, out, err;
     in.write(script);
     const std::array<const char*, 4> arguments{"gnuplot", "--default-settings", "-", nullptr};
     const int status = run(arguments.data(), in, out, err);
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-        throw support::failure("gnuplot: expected a figure, found an error: {}", err.read());
+        throw failure("gnuplot: expected a figure, found an error: {}", err.read());
     }
-    return out.read();
+    const std::string svg = out.read();
+    if (svg.find("<svg") == std::string::npos || svg.find("</svg>") == std::string::npos) {
+        throw Failure("gnuplot: expected an SVG figure, found something else");
+    }
+    return svg;
 }
 
-} // namespace stats
+} // namespace support

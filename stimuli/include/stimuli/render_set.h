@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,8 +20,11 @@ struct SetRequest {
     std::optional<std::filesystem::path> model_file;
     std::vector<std::string> only;
     std::string shard;
-    bool force = false; ///< render what is up to date, too
-    bool exr = false;   ///< write linear images beside the PNGs
+    bool force = false;  ///< render what is up to date, too
+    bool exr = false;    ///< write linear images beside the PNGs
+    bool overlap = true; ///< encode and write images while further ones are rendered
+    bool quiet = false;  ///< without progress
+    renderer::passes::Switches switches;
 };
 
 /// What became of one image of the protocol.
@@ -29,7 +33,8 @@ struct Outcome {
     std::string reason; ///< why it was rendered, or why not
     bool rendered = false;
     double milliseconds = 0;
-    std::vector<std::string> passes_run, passes_reused;
+    std::vector<std::string> passes_run, passes_reused, passes_skipped; ///< as scene::Frame has them
+    std::map<std::string, long long> counts;
 };
 
 /// What was done, and where the time went.
@@ -38,7 +43,8 @@ struct SetReport {
     renderer::passes::Costs costs; ///< seconds a kind of work; work on other threads overlaps the rest
     double seconds = 0;
     std::string driver, model;
-    std::size_t missing = 0; ///< images of the protocol that the folder still lacks
+    std::size_t missing = 0;      ///< images of the protocol that the folder still lacks
+    std::size_t most_waiting = 0; ///< frames held for encoding while another was rendered, at most
     std::vector<std::string> warnings;
 };
 
