@@ -12,6 +12,7 @@
 #include <support/gnuplot.h>
 
 #include "accuracy/report.h"
+#include "frames/command.h"
 #include "outputs.h"
 #include "set/set_bench.h"
 
@@ -196,6 +197,7 @@ void add_bench(CLI::App& app) {
                       "rounds: some minutes");
     command->footer(footer);
     command->callback([arguments] { run(*arguments); });
+    add_bench_frames(*bench);
 }
 
 } // namespace measure

@@ -80,6 +80,9 @@ void add_scene(Json& json, const study::Protocol& protocol) {
         json["screen"] = {
             {"z_mm", screen->z_mm}, {"width_mm", screen->width_mm}, {"height_mm", screen->height_mm}};
     }
+    if (protocol.lens.aperture_mm > 0) {
+        json["lens"] = {{"aperture_mm", protocol.lens.aperture_mm}, {"focus_mm", protocol.lens.focus_mm}};
+    }
     if (!protocol.model.not_skin.empty()) {
         json["not_skin"] = protocol.model.not_skin;
     }

@@ -78,6 +78,8 @@ passes::Look look(const study::Protocol& protocol) {
     result.roughness = static_cast<float>(protocol.skin.roughness);
     result.bloom_strength = static_cast<float>(protocol.bloom.strength);
     result.bloom_sigma_px = static_cast<float>(protocol.bloom.sigma_px);
+    result.aperture_mm = static_cast<float>(protocol.lens.aperture_mm);
+    result.focus_mm = static_cast<float>(protocol.lens.focus_mm);
     result.exposure = static_cast<float>(protocol.image.exposure);
     result.background = vec(protocol.image.background);
     result.samples = protocol.image.samples;

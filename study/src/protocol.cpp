@@ -320,6 +320,10 @@ Protocol read_protocol(const fs::path& file) {
     protocol.bloom.strength = bloom.number("strength", 0, 1, protocol.bloom.strength);
     protocol.bloom.sigma_px = bloom.number("sigma_px", 0, 1000, 8);
 
+    TomlTable lens = root.table("lens");
+    protocol.lens.aperture_mm = lens.number("aperture_mm", 0, 1e6, protocol.lens.aperture_mm);
+    protocol.lens.focus_mm = lens.number("focus_mm", 0, 1e9, protocol.lens.focus_mm);
+
     TomlTable ts = root.table("ts");
     protocol.ts.map_size = ts.integer("map_size", 16, largest_side, protocol.ts.map_size);
     protocol.ts.unblurred_first = ts.boolean("unblurred_first", protocol.ts.unblurred_first);

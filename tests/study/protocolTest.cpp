@@ -176,6 +176,15 @@ TEST_F(ProtocolTest, readsTheScreenWhereItIsDescribedWholly) {
               std::string::npos);
 }
 
+TEST_F(ProtocolTest, isAPinholeUnlessItNamesALens) {
+    EXPECT_EQ(read(least).lens.aperture_mm, 0);
+    const study::Protocol protocol = read(least + std::string("[lens]\naperture_mm = 25\nfocus_mm = 400\n"));
+    EXPECT_EQ(protocol.lens.aperture_mm, 25);
+    EXPECT_EQ(protocol.lens.focus_mm, 400);
+    EXPECT_NE(error(least + std::string("[lens]\naperture_mm = -1\n")).find("aperture_mm"),
+              std::string::npos);
+}
+
 TEST_F(ProtocolTest, namesStimuliAsTheirFilesAre) {
     EXPECT_EQ(study::stimulus_name("ts", "zoom", 0), "ts_zoom_000");
     EXPECT_EQ(study::stimulus_name("ss_full", "far", 110), "ss_full_far_110");

@@ -13,7 +13,9 @@
 namespace renderer::passes {
 
 Finish::Finish(int width, int height, const Look& look)
-    : look_(look), composite_(load_screen_program("composite.frag")),
+    : look_(look),
+      depth_of_field_(look.aperture_mm > 0 ? std::make_unique<DepthOfField>(width, height, look) : nullptr),
+      image_(&color_), composite_(load_screen_program("composite.frag")),
       halve_(load_screen_program("halve.frag")), bloom_(load_screen_program("bloom_blur.frag")),
       output_(load_screen_program("output.frag")), color_(light_format(), width, height),
       half_(light_format(), (width + 1) / 2, (height + 1) / 2),
@@ -40,22 +42,34 @@ void Finish::composite(const gl::Texture& scattered, const LitFrame& lit) {
     lit.specular.bind(2);
     draw_screen();
     end_rect();
+    image_ = &color_;
+    shown_ = rect_;
+}
+
+void Finish::depth_of_field(const LitFrame& lit, const scene::Camera& camera) {
+    const PixelRect before = depth_of_field_->rect();
+    image_ = &depth_of_field_->blur(color_, lit, camera);
+    shown_ = depth_of_field_->rect();
+    if (shown_ != before) { // what the bloom left outside
+        half_target_.clear_color(0, glm::vec4(0));
+        half_blurred_target_.clear_color(0, glm::vec4(0));
+    }
 }
 
 /// What the bloom reaches, at half the resolution.
 PixelRect Finish::bloom_rect() const {
     const int reach = static_cast<int>(std::ceil(1.5f * look_.bloom_sigma_px)) + 2;
-    const int left = std::max(rect_.x / 2 - reach, 0);
-    const int bottom = std::max(rect_.y / 2 - reach, 0);
-    return {left, bottom, std::min((rect_.x + rect_.width + 1) / 2 + reach, half_.width()) - left,
-            std::min((rect_.y + rect_.height + 1) / 2 + reach, half_.height()) - bottom};
+    const int left = std::max(shown_.x / 2 - reach, 0);
+    const int bottom = std::max(shown_.y / 2 - reach, 0);
+    return {left, bottom, std::min((shown_.x + shown_.width + 1) / 2 + reach, half_.width()) - left,
+            std::min((shown_.y + shown_.height + 1) / 2 + reach, half_.height()) - bottom};
 }
 
 void Finish::bloom() {
     const PixelRect rect = bloom_rect();
     begin_rect(half_target_, rect);
     halve_.use();
-    color_.bind(0);
+    image_->bind(0);
     draw_screen();
     bloom_.use();
     bloom_.set("sigma_px", std::max(0.5f * look_.bloom_sigma_px, 1e-3f));
@@ -72,7 +86,7 @@ void Finish::bloom() {
 
 void Finish::output(bool with_linear) {
     output_background(with_linear);
-    PixelRect rect = rect_;
+    PixelRect rect = shown_;
     if (blooms()) {
         const PixelRect half = bloom_rect();
         rect = {2 * half.x, 2 * half.y, 2 * half.width, 2 * half.height};
@@ -83,7 +97,7 @@ void Finish::output(bool with_linear) {
     output_.set("bloom_strength", blooms() ? look_.bloom_strength : 0.0f);
     output_.set("skin_exposure", look_.exposure * level_);
     output_.set("background", look_.exposure * look_.background);
-    color_.bind(0);
+    image_->bind(0);
     half_.bind(1);
     draw_screen();
     end_rect();

@@ -279,8 +279,11 @@ struct Pipeline::State {
         return *result;
     }
 
-    void finish_frame(const gl::Texture& scattered_light, bool with_linear) {
+    void finish_frame(const gl::Texture& scattered_light, const scene::Camera& camera, bool with_linear) {
         timed("composite", [&] { finish->composite(scattered_light, lit->frame()); });
+        if (finish->has_depth_of_field()) {
+            timed("depth of field", [&] { finish->depth_of_field(lit->frame(), camera); });
+        }
         if (finish->blooms()) {
             timed("bloom", [&] { finish->bloom(); });
         } else {
@@ -303,7 +306,7 @@ struct Pipeline::State {
             return;
         }
         light_view(camera, light);
-        finish_frame(scattered(shader, camera, light), with_linear);
+        finish_frame(scattered(shader, camera, light), camera, with_linear);
     }
 };
 

@@ -44,6 +44,7 @@ void check(const Settings& settings, const scene::Look& look, const scene::Model
         require(std::isfinite(g.variance_mm2) && g.variance_mm2 >= 0 && finite(glm::vec3(g.weight)),
                 "profile", "finite, non-negative variances and finite weights");
     }
+    require(!(look.aperture_mm > 0), "lens", "an aperture of 0, all sharp");
     bool any = false;
     for (const scene::Mesh& mesh : model.meshes) {
         any = any || mesh.indices.size() >= 3;

@@ -64,6 +64,11 @@ struct BloomSettings {
     double sigma_px = 0; ///< standard deviation, pixels of the stimulus
 };
 
+struct LensSettings {
+    double aperture_mm = 0; ///< diameter; 0: a pinhole, all is sharp
+    double focus_mm = 0;    ///< distance that is sharp; 0: where the camera looks
+};
+
 struct TextureSpaceSettings {
     int map_size = 1024;          ///< texels of the irradiance map's side
     bool unblurred_first = false; ///< the lighting of the final pass stands for the narrowest Gaussian
@@ -162,6 +167,7 @@ struct Protocol {
     LightSettings light;
     SkinSettings skin;
     BloomSettings bloom;
+    LensSettings lens;
     TextureSpaceSettings ts;
     JitteredSettings ss_jittered;
     FullSettings ss_full;

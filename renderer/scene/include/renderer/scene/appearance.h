@@ -47,6 +47,8 @@ struct Look {
     float roughness = 0.3f;   ///< Beckmann slope where the model has none
     float bloom_strength = 0; ///< share of the light that the lens spreads, 0 to 1
     float bloom_sigma_px = 8; ///< standard deviation
+    float aperture_mm = 0;    ///< diameter of the lens; 0: all is sharp
+    float focus_mm = 0;       ///< distance that is sharp; 0: where the camera looks
     float exposure = 1;
     glm::vec3 background{0}; ///< linear Rec. 709
     int samples = 4;         ///< MSAA samples a pixel
