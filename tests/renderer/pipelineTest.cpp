@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The skin2afc authors
 // SPDX-License-Identifier: MIT
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
 
+#include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
 #include <renderer/gl/context.h>
@@ -246,6 +248,36 @@ TEST_F(PipelineTest, saysWhatAModelLacksForTextureSpace) {
     warned.render(Shader::ts, camera, scenes::frontal_light());
     ASSERT_EQ(warned.warnings().size(), 1u);
     EXPECT_NE(warned.warnings()[0].find("overlap on 100.0 %"), std::string::npos) << warned.warnings()[0];
+}
+
+// Stripes along the direction in which a surface turns away are as wide as ever, though mipmaps alone blur
+// them.
+TEST_F(PipelineTest, texturesStaySharpOnSurfacesThatTurnAway) {
+    if (!epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic") &&
+        !epoxy_has_gl_extension("GL_ARB_texture_filter_anisotropic")) {
+        GTEST_SKIP() << "this driver has no anisotropic filter";
+    }
+    renderer::scene::Image stripes{128, 128, 3, std::vector<std::uint8_t>(3 * 128 * 128)};
+    for (std::size_t i = 0; i < stripes.pixels.size(); ++i) {
+        stripes.pixels[i] = i / (3 * 128) / 2 % 2 == 0 ? 255 : 0; // two texels high
+    }
+    const auto contrast = [&](float tilt_deg) {
+        renderer::scene::Model model = scenes::plane(100);
+        model.materials[0].base_color = std::make_shared<renderer::scene::Image>(stripes);
+        scenes::turn(model, glm::radians(tilt_deg));
+        passes::Pipeline pipeline(model, scenes::diffuse_look(), {});
+        const passes::Frame frame =
+            pipeline.render(Shader::no_sss, scenes::camera(300, 256, 256), scenes::frontal_light(), true);
+        double least = 1e9;
+        double most = 0;
+        for (int y = 100; y < 156; ++y) {
+            const auto red = static_cast<double>(scenes::value(frame, 128, y).r);
+            least = std::min(least, red);
+            most = std::max(most, red);
+        }
+        return (most - least) / (most + least);
+    };
+    EXPECT_GT(contrast(75), 0.6 * contrast(0));
 }
 
 TEST_F(PipelineTest, refusesMoreThanTheDriverCan) {

@@ -66,6 +66,11 @@ GpuModel::Mesh uploaded(const scene::Mesh& mesh) {
     result.index_count = static_cast<GLsizei>(mesh.indices.size());
     result.material = mesh.material;
     result.clusters = clusters_of(mesh);
+    for (const Cluster& cluster : result.clusters) {
+        const bool first = &cluster == result.clusters.data();
+        result.box.low = first ? cluster.box.low : glm::min(result.box.low, cluster.box.low);
+        result.box.high = first ? cluster.box.high : glm::max(result.box.high, cluster.box.high);
+    }
     const GLuint array = result.array.id();
     glVertexArrayVertexBuffer(array, 0, result.vertices.id(), 0, sizeof(scene::Vertex));
     glVertexArrayElementBuffer(array, result.indices.id());
@@ -194,6 +199,11 @@ GpuModel::View GpuModel::view(const scene::Camera& camera, const Switches& switc
         Part part;
         part.mesh = i;
         part.nearest_mm = std::numeric_limits<float>::infinity();
+        if (switches.cull && !frustum.may_see(mesh.box)) {
+            view.triangles += mesh.index_count / 3;
+            view.culled += mesh.index_count / 3;
+            continue;
+        }
         for (const Cluster& cluster : mesh.clusters) {
             const bool visible = frustum.may_see(cluster.box) &&
                                  (material.double_sided || !turned_away(cluster, frustum.eye_mm()));

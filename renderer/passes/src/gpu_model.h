@@ -30,6 +30,7 @@ public:
         gl::VertexArray array;
         GLsizei index_count = 0;
         std::size_t material = 0;
+        scene::Bounds box; ///< of all its triangles
         std::vector<Cluster> clusters;
     };
     const std::vector<Mesh>& meshes() const { return meshes_; }
