@@ -259,7 +259,7 @@ TEST_F(PipelineTest, texturesStaySharpOnSurfacesThatTurnAway) {
     }
     renderer::scene::Image stripes{128, 128, 3, std::vector<std::uint8_t>(3 * 128 * 128)};
     for (std::size_t i = 0; i < stripes.pixels.size(); ++i) {
-        stripes.pixels[i] = i / (3 * 128) / 2 % 2 == 0 ? 255 : 0; // two texels high
+        stripes.pixels[i] = i / (3 * 128) % 2 == 0 ? 255 : 0; // a texel high
     }
     const auto contrast = [&](float tilt_deg) {
         renderer::scene::Model model = scenes::plane(100);
@@ -277,7 +277,7 @@ TEST_F(PipelineTest, texturesStaySharpOnSurfacesThatTurnAway) {
         }
         return (most - least) / (most + least);
     };
-    EXPECT_GT(contrast(75), 0.6 * contrast(0));
+    EXPECT_GT(contrast(80), 0.6 * contrast(0));
 }
 
 TEST_F(PipelineTest, refusesMoreThanTheDriverCan) {
