@@ -17,8 +17,6 @@ namespace {
 
 namespace scene = renderer::scene;
 
-constexpr float screen_grey = 0.2f; // albedo
-
 void mark_materials(scene::Model& model, const std::vector<std::string>& not_skin) {
     for (const std::string& name : not_skin) {
         bool found = false;

@@ -66,7 +66,7 @@ void print_costs(const SetReport& report) {
     }
 }
 
-/// "1200 skin pixels, 3 gaussians skipped".
+/// "1200 triangles culled, 3 gaussians skipped".
 std::string counts_text(const std::map<std::string, long long>& counts) {
     std::string text;
     for (const auto& [what, count] : counts) {

@@ -6,6 +6,8 @@
 #include <stimuli/setup.h>
 #include <support/file.h>
 
+#include "arrangement.h"
+
 namespace stimuli {
 namespace {
 
@@ -77,8 +79,11 @@ void add_scene(Json& json, const study::Protocol& protocol) {
         json["heads"].push_back({{"place_mm", head.place_mm}, {"turn_deg", head.turn_deg}});
     }
     if (const auto& screen = protocol.scene.screen) {
-        json["screen"] = {
-            {"z_mm", screen->z_mm}, {"width_mm", screen->width_mm}, {"height_mm", screen->height_mm}};
+        json["screen"] = {{"z_mm", screen->z_mm},
+                          {"width_mm", screen->width_mm},
+                          {"height_mm", screen->height_mm},
+                          {"albedo", screen_grey},
+                          {"head_height_mm", protocol.model.head_height_mm}}; // it stands before the head
     }
     if (protocol.lens.aperture_mm > 0) {
         json["lens"] = {{"aperture_mm", protocol.lens.aperture_mm}, {"focus_mm", protocol.lens.focus_mm}};

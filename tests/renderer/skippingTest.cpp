@@ -325,3 +325,46 @@ TEST_F(SkippingTest, gaussiansVanishWithoutAPop) {
     }
     EXPECT_GE(switched, 3);
 }
+
+// Targets hold what earlier frames left, and taps reach beyond the pixels that a frame draws.
+TEST_F(SkippingTest, whatAnEarlierFrameShowedLeavesNoTrace) {
+    const scene::Model model = crowd();
+    std::vector<passes::Methods> ways(5, methods());
+    ways[0].full = passes::published_full();
+    ways[1].full.reject_gaps = false;
+    ways[2].full.target_bits = 16;
+    ways[3].full.target_bits = 8;
+    ways[4].full.accumulation = passes::Accumulation::weighted_sum;
+    ways[4].full.reject_gaps = false;
+    scene::Camera before = scenes::camera(300, 320, 240);
+    scene::Camera after = scenes::camera(700, 320, 240);
+    before.target_mm.x += 10;
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+        for (const Shader shader : {Shader::ts, Shader::ss_full}) {
+            passes::Pipeline used(model, look(), ways[i]);
+            used.draw(shader, before, two_lights());
+            const passes::Frame again = used.render(shader, after, two_lights(), true);
+            passes::Pipeline fresh(model, look(), ways[i]);
+            const passes::Frame first = fresh.render(shader, after, two_lights(), true);
+            EXPECT_EQ(again.linear, first.linear) << i << ' ' << passes::shader_name(shader);
+        }
+    }
+}
+
+// 8-bit targets store signals, not light, also where a Gaussian is seen on some of the skin alone.
+TEST_F(SkippingTest, eightBitsKeepTheLightWhereGaussiansAreSeenInPart) {
+    const scene::Model model = crowd();
+    passes::Methods fine = methods();
+    fine.full.target_bits = 32;
+    passes::Methods coarse = methods();
+    coarse.full.target_bits = 8;
+    int in_part = 0;
+    for (float distance_mm = 250; distance_mm < 4000; distance_mm *= 1.2f) {
+        const scene::Camera camera = scenes::camera(distance_mm, 96, 72);
+        const auto a = frame_of(model, Shader::ss_full, camera, two_lights(), {}, fine);
+        const auto b = frame_of(model, Shader::ss_full, camera, two_lights(), {}, coarse);
+        in_part += count(b, "gaussians in part") > 0 ? 1 : 0;
+        EXPECT_LE(rms(a, b), 1.5) << distance_mm; // one step of 255 a blur
+    }
+    EXPECT_GT(in_part, 0);
+}

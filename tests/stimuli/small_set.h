@@ -76,19 +76,22 @@ protected:
         request.out = out;
         request.only = std::move(only);
         request.shard = shard;
+        request.switches = switches;
         request.model_file = folder / "square.gltf";
         return stimuli::render_set(request);
     }
     /// The whole set without what its switches save.
-    stimuli::SetReport render_without(const renderer::passes::Switches& switches, bool overlap) const {
+    stimuli::SetReport render_without(const renderer::passes::Switches& without, bool overlap) const {
         stimuli::SetRequest request;
         request.protocol_file = protocol_file;
         request.out = out;
-        request.switches = switches;
+        request.switches = without;
         request.overlap = overlap;
         request.model_file = folder / "square.gltf";
         return stimuli::render_set(request);
     }
+    renderer::passes::Switches switches;
+
     /// How often a kind of node ran.
     static int runs(const stimuli::SetReport& report, const std::string& node) {
         const auto found = report.costs.find(node);

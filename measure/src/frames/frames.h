@@ -19,9 +19,7 @@ struct FramesRequest {
     int rounds = 0; ///< timed frames of each scene and setting; 0: 7, or 3 if quick
     int width = 1280, height = 720, map_size = 1024;
     std::vector<std::string> tables; ///< empty: all
-    int warm_ups =
-        1; ///< frames of each before the first round that do not count, beside the two that are checked
-    bool quick = false; ///< half of each side, fewer scenes
+    bool quick = false;              ///< half of each side, fewer scenes
 };
 
 /// One setting at one place of the tables.

@@ -52,11 +52,12 @@ struct Timed {
 };
 
 int driver_samples() {
-    GLint color = 1, depth = 1;
+    GLint color = 1, depth = 1, integer = 1;
     glGetIntegerv(GL_MAX_COLOR_TEXTURE_SAMPLES, &color);
     glGetIntegerv(GL_MAX_DEPTH_TEXTURE_SAMPLES, &depth);
+    glGetIntegerv(GL_MAX_INTEGER_SAMPLES, &integer);
     int samples = 1;
-    while (2 * samples <= std::min({color, depth, most_samples})) {
+    while (2 * samples <= std::min({color, depth, integer, most_samples})) {
         samples *= 2;
     }
     return samples;
@@ -211,9 +212,18 @@ private:
             const scene::Frame first = used.render(setting.shader, timed.camera, light, true);
             const scene::Frame second = used.render(setting.shader, timed.camera, light, true);
             check_same(first, second, timed.scene.outside, name_of(timed, setting));
-            timed.skin_pixels = timed.scene.hidden ? 0 : covered_pixels(first);
+            timed.skin_pixels = timed.scene.hidden ? 0 : covered_without_lens(timed, setting);
             timed.counts = first.counts;
         }
+    }
+
+    /// The pixels that show skin: without the lens, which spreads them.
+    long long covered_without_lens(const Timed& timed, const FrameSetting& setting) {
+        scene::Look look = stimuli::look(timed.protocol);
+        look.aperture_mm = 0;
+        passes::Pipeline pinhole(*models_.at(timed.scene.model_key()), look, setting.methods);
+        const scene::Light light = stimuli::light(timed.protocol, azimuth_deg);
+        return covered_pixels(pinhole.render(passes::Shader::no_sss, timed.camera, light, true));
     }
 
     void time_round(std::vector<Timed>& all, support::Generator& generator) {

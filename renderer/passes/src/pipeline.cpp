@@ -3,6 +3,7 @@
 
 #include <renderer/passes/pipeline.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <map>
@@ -148,7 +149,11 @@ struct Pipeline::State {
             return;
         }
         if (shadow.holds(light, beams)) {
-            reused.emplace_back("shadow map");
+            const auto is_shadow = [](const std::string& node) { return node == "shadow map"; };
+            if (std::none_of(run.begin(), run.end(), is_shadow) &&
+                std::none_of(reused.begin(), reused.end(), is_shadow)) {
+                reused.emplace_back("shadow map");
+            }
             return;
         }
         int rendered = 0;
@@ -255,7 +260,8 @@ struct Pipeline::State {
                 fmt::format("Gaussians narrower than can be seen at this distance: {}", gaussians.skipped));
         }
         if (gaussians.in_part > 0) {
-            skipped.push_back(fmt::format("Gaussians where the skin is too far to see them: {}", gaussians.in_part));
+            skipped.push_back(
+                fmt::format("Gaussians where the skin is too far to see them: {}", gaussians.in_part));
         }
         return *result;
     }
@@ -315,6 +321,7 @@ Pipeline::Pipeline(const scene::Model& model, const Look& look, const Methods& m
     gl::require_opengl_45();
     require_limit("samples", look.samples, GL_MAX_COLOR_TEXTURE_SAMPLES);
     require_limit("samples", look.samples, GL_MAX_DEPTH_TEXTURE_SAMPLES);
+    require_limit("samples", look.samples, GL_MAX_INTEGER_SAMPLES); // packed_sample.glsl
     require_limit("ts map size", methods.ts.map_size, GL_MAX_TEXTURE_SIZE);
     state_ = std::make_unique<State>(model, look, methods, switches);
 }

@@ -91,16 +91,27 @@ ScreenBlur::ScreenBlur(const ScreenSurface& surface, int width, int height, cons
       half_target_({&half_blurred_}, &surface.depth_buffer()), sum_target_({&sum_}) {
     // Only skin is drawn; new memory may hold anything.
     sum_target_.clear_color(0, glm::vec4(0));
+    clear_blurred();
 }
 
-void ScreenBlur::begin(const gl::Texture& unblurred) {
-    // Where there is no skin nothing is drawn, and the matte has to be 0.
-    begin_rect(half_target_, surface_.geometry().rect);
+void ScreenBlur::clear_blurred() {
     half_target_.clear_color(0, glm::vec4(0));
     for (const gl::Framebuffer& target : targets_) {
         target.clear_color(0, glm::vec4(0));
     }
-    end_rect();
+}
+
+void ScreenBlur::begin(const gl::Texture& unblurred) {
+    // Where there is no skin nothing is drawn, and the matte has to be 0: in the rectangle, and beside it,
+    // where taps reach and an earlier frame may have had skin.
+    if (surface_.geometry().rect == rect_) {
+        begin_rect(half_target_, rect_);
+        clear_blurred();
+        end_rect();
+    } else {
+        clear_blurred();
+        rect_ = surface_.geometry().rect;
+    }
     unblurred_ = source_ = &unblurred;
     next_ = 0;
     sum_started_ = false;
@@ -140,18 +151,18 @@ void ScreenBlur::keep_unblurred() {
     copy_.use();
     surface_.bind(copy_);
     unblurred_->bind(0);
+    glEnable(GL_FRAMEBUFFER_SRGB); // of effect on 8-bit targets alone
     begin_rect(targets_[0], surface_.geometry().rect);
     draw_screen();
     end_rect();
+    glDisable(GL_FRAMEBUFFER_SRGB);
     source_ = blurred_.data();
     sum_started_ = true;
 }
 
 void ScreenBlur::blur(float sigma_mm, float widest_px, const glm::vec3& weight, float before_mm) {
     const bool on_the_fly = method_.accumulation == Accumulation::on_the_fly;
-    if (!on_the_fly) {
-        before_mm = 0; // each Gaussian has a target of its own, which holds nothing else
-    } else if (before_mm > 0) {
+    if (before_mm > 0) {
         // Pixels beyond keep what they have; they must not lend an earlier pass's light to others.
         if (!sum_started_) {
             keep_unblurred();

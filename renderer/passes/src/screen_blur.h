@@ -30,10 +30,11 @@ public:
 
     /// Start anew with `unblurred`, light times matte and matte, in the surface found last.
     void begin(const gl::Texture& unblurred);
-    /// Blur further by a Gaussian, where the skin is nearer than `before_mm` (0: everywhere), and add the
-    /// result to the sum with this weight. `widest_px` is its width where the skin is nearest.
+    /// Blur further by a Gaussian, where the skin is nearer than `before_mm` (0: everywhere, as has to be
+    /// where all are kept), and add the result to the sum with this weight. `widest_px` is its width where
+    /// the skin is nearest.
     void blur(float sigma_mm, float widest_px, const glm::vec3& weight, float before_mm);
-    /// Add to the sum what is blurred so far.
+    /// Leave a Gaussian out: what the sum holds so far, or the unblurred light, stands for it.
     void skip(const glm::vec3& weight) { add_weight(weight); }
     /// What is blurred so far.
     const gl::Texture& blurred() const { return *source_; }
@@ -56,6 +57,7 @@ private:
     void pass(const Taps& taps, const gl::Program& program, const gl::Framebuffer& target,
               const gl::Texture& source, float sigma_mm, float before_mm);
     void keep_unblurred();
+    void clear_blurred();
 
     const ScreenSurface& surface_;
     FullMethod method_;
@@ -68,6 +70,7 @@ private:
     std::vector<gl::Texture> blurred_; ///< one; or one for each Gaussian, where all are kept
     std::vector<gl::Framebuffer> targets_;
     gl::Framebuffer half_target_, sum_target_;
+    PixelRect rect_; ///< nothing but 0 outside of it
     // Of the frame:
     const gl::Texture* unblurred_ = nullptr;
     const gl::Texture* source_ = nullptr;

@@ -12,8 +12,8 @@
 namespace renderer::passes {
 namespace {
 
-// A Gaussian below this width changes no pixel that can be told from its neighbours: variance 0.0625 beside the
-// 0.083 of the pixel's own square.
+// A Gaussian below this width changes no pixel that can be told from its neighbours: variance 0.0625 beside
+// the 0.083 of the pixel's own square.
 constexpr float narrowest_px = 0.25f;
 // Halving and enlarging the image adds a variance of 0.25 and 0.75 pixels squared; from this width on, that
 // can be taken off the Gaussian.
@@ -94,7 +94,9 @@ const gl::Texture& ScreenSpace::full(const LitFrame& lit, const scene::Camera& c
             ++counts_.skipped;
             continue;
         }
-        const bool everywhere = before_mm > lit.farthest_mm;
+        // Where all Gaussians are kept, each has a target of its own, and must fill it.
+        const bool everywhere =
+            before_mm > lit.farthest_mm || methods_.full.accumulation == Accumulation::weighted_sum;
         float wanted_mm = sigma_mm;
         const float middle_px = sigma_mm * kernel_px_mm / lit.middle_mm();
         if (methods_.full.half_resolution && blur == &full_->blur && middle_px >= half_resolution_px &&

@@ -66,6 +66,7 @@ TextureSpace::TextureSpace(const scene::Model& source, const GpuModel& model, co
       depth_(GL_DEPTH_COMPONENT32F, width, height, 1, samples), gathered_(light_format(), width, height),
       scattered_(light_format(), width, height), gather_target_({&gathered_samples_}, &depth_),
       gathered_target_({&gathered_}), scattered_target_({&scattered_}) {
+    gl::Framebuffer({&nowhere_}).clear_color(0, glm::vec4(0));
     gathered_target_.clear_color(0, glm::vec4(0)); // only the skin's rectangle is drawn
     scattered_target_.clear_color(0, glm::vec4(0));
     if (profile.gaussians.size() > 1) {
@@ -254,18 +255,20 @@ void TextureSpace::draw_gathered(const GpuModel& model, const GpuModel::View& vi
         const auto skin = std::find_if(skins_.begin(), skins_.end(), [&](const Skin& candidate) {
             return candidate.material == material && candidate.size > 0;
         });
-        if (skin == skins_.end()) { // not skin, but it may stand before some
-            gather_.set("count", 0);
-            model.draw_part(part);
-            continue;
+        // What is not skin has no count, but it may stand before some.
+        gather_.set("count", model.traits(material).scatters ? static_cast<int>(weights_.size()) : 0);
+        if (skin != skins_.end()) {
+            const std::vector<gl::Texture>& gaussians = skin->gaussians.at(skin->size);
+            for (std::size_t k = 0; k < gaussians.size(); ++k) {
+                gaussians[k].bind(static_cast<GLuint>(k));
+            }
+            gather_.set("uv_origin", skin->layout.uv_origin);
+            gather_.set("uv_scale", skin->layout.uv_scale);
+        } else { // skin that has no place in a map keeps its light
+            for (std::size_t k = 0; k < weights_.size(); ++k) {
+                nowhere_.bind(static_cast<GLuint>(k));
+            }
         }
-        gather_.set("count", static_cast<int>(weights_.size()));
-        const std::vector<gl::Texture>& gaussians = skin->gaussians.at(skin->size);
-        for (std::size_t k = 0; k < gaussians.size(); ++k) {
-            gaussians[k].bind(static_cast<GLuint>(k));
-        }
-        gather_.set("uv_origin", skin->layout.uv_origin);
-        gather_.set("uv_scale", skin->layout.uv_scale);
         model.draw_part(part);
     }
     glDisable(GL_CULL_FACE);

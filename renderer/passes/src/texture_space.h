@@ -87,7 +87,8 @@ private:
     gl::Program gather_, resolve_, add_narrowest_;
     gl::Texture gathered_samples_, depth_, gathered_, scattered_;
     gl::Framebuffer gather_target_, gathered_target_, scattered_target_;
-    std::map<int, UvWorkspace> spaces_; ///< by size
+    std::map<int, UvWorkspace> spaces_;   ///< by size
+    gl::Texture nowhere_{GL_RGBA8, 1, 1}; ///< a map without a chart
     std::vector<Skin> skins_;
     std::vector<std::string> warnings_;
     TextureSpaceCounts counts_;
