@@ -61,6 +61,7 @@ Json method_parameters(const study::Protocol& protocol, std::optional<passes::Sh
         json["reject_gaps"] = full.reject_gaps;
         json["target_bits"] = full.target_bits;
         json["half_resolution"] = full.half_resolution;
+        json["unblurred_first"] = full.unblurred_first;
         json["accumulation"] = full.weighted_sum ? "weighted_sum" : "on_the_fly";
         return json;
     }

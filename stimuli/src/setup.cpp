@@ -102,6 +102,7 @@ passes::Methods methods(const study::Protocol& protocol) {
     result.full.reject_gaps = full.reject_gaps;
     result.full.target_bits = full.target_bits;
     result.full.half_resolution = full.half_resolution;
+    result.full.unblurred_first = full.unblurred_first;
     result.full.accumulation =
         full.weighted_sum ? passes::Accumulation::weighted_sum : passes::Accumulation::on_the_fly;
     result.full.stretch = stretch(full.stretch);

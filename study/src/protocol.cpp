@@ -177,6 +177,7 @@ FullSettings read_full(TomlTable table) {
     full.half_resolution = table.boolean("half_resolution", !published);
     full.weighted_sum =
         table.word("accumulation", {"on_the_fly", "weighted_sum"}, "on_the_fly") == "weighted_sum";
+    full.unblurred_first = table.boolean("unblurred_first", full.unblurred_first);
     full.stretch = read_stretch(table);
     return full;
 }

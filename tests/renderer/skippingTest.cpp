@@ -217,11 +217,12 @@ TEST_F(SkippingTest, lightsThatLightNothingInViewCastNoShadows) {
     const scene::Camera camera = scenes::camera(300, 96, 72);
     const passes::Frame frame = frame_of(scenes::plane(50), Shader::ss_full, camera, light, {});
     EXPECT_TRUE(says(frame.passes_skipped, "1 of 2 lights"));
-    passes::Pipeline pipeline(scenes::plane(50), look(), methods());
+    const scene::Model square = scenes::plane(50);
+    passes::Pipeline pipeline(square, look(), methods());
     EXPECT_EQ(count(pipeline.render(Shader::ss_full, camera, light), "shadow maps"), 1);
     Switches off;
     off.skip_unlit = false;
-    passes::Pipeline every(scenes::plane(50), look(), methods(), off);
+    passes::Pipeline every(square, look(), methods(), off);
     EXPECT_EQ(count(every.render(Shader::ss_full, camera, light), "shadow maps"), 2);
     // A light that grazes the square does light it.
     light.further[0].direction = glm::normalize(glm::vec3(1, 0, 0.1f));
@@ -244,6 +245,22 @@ TEST_F(SkippingTest, gaussiansThatCannotBeSeenAreLeftOutPixelByPixel) {
     }
     EXPECT_TRUE(in_part);
     EXPECT_GE(skipped, 5);
+}
+
+// [JimenezGutierrez2010, section 7.3.3]: of the fit of four, the first is too narrow to be noticed.
+TEST_F(SkippingTest, theUnblurredImageMayStandForTheNarrowestGaussian) {
+    passes::Look four = look();
+    four.profile = renderer::optics::profile("skin_4g_jimenez2010");
+    passes::Methods unblurred = methods();
+    unblurred.full.unblurred_first = true;
+    const scene::Model model = crowd();
+    passes::Pipeline with(model, four, methods());
+    passes::Pipeline without(model, four, unblurred);
+    const scene::Camera camera = scenes::camera(500, 192, 144);
+    const passes::Frame a = with.render(Shader::ss_full, camera, two_lights());
+    const passes::Frame b = without.render(Shader::ss_full, camera, two_lights());
+    EXPECT_EQ(count(b, "gaussians skipped"), 1);
+    EXPECT_LE(rms(a, b), 1);
 }
 
 TEST_F(SkippingTest, whatMaterialsLackIsNotRead) {

@@ -89,7 +89,8 @@ const gl::Texture& ScreenSpace::full(const LitFrame& lit, const scene::Camera& c
         const auto sigma_mm =
             static_cast<float>(std::sqrt(std::max(gaussian.variance_mm2 - reached_mm2, 0.0)));
         const float before_mm = seen_before_mm(sigma_mm, kernel_px_mm);
-        if (before_mm <= lit.nearest_mm) {
+        const bool is_first = &gaussian == &profile_.gaussians.front();
+        if (before_mm <= lit.nearest_mm || (is_first && methods_.full.unblurred_first)) {
             blur->skip(weight);
             ++counts_.skipped;
             continue;

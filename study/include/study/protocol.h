@@ -96,7 +96,8 @@ struct FullSettings {
     bool reject_gaps = true;
     int target_bits = 0; ///< 8, 16, 32; 0: what suits the driver
     bool half_resolution = true;
-    bool weighted_sum = false; ///< each Gaussian in a target of its own
+    bool weighted_sum = false;    ///< each Gaussian in a target of its own
+    bool unblurred_first = false; ///< the unblurred light stands for the narrowest Gaussian
     StretchSettings stretch;
 };
 

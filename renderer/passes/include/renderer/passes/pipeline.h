@@ -78,6 +78,8 @@ struct FullMethod {
     int target_bits = 0;         ///< 8, 16 or 32 a channel; 0: 16, or 32 where the driver is a CPU
     bool half_resolution = true; ///< wide Gaussians at half the resolution
     Accumulation accumulation = Accumulation::on_the_fly;
+    /// The unblurred light stands for the narrowest Gaussian, as the 2010 article has it for its fit of four.
+    bool unblurred_first = false;
     Stretch stretch; ///< published foreshortening alone reads beta
 };
 
@@ -100,13 +102,13 @@ struct Methods {
 
 /// What is shared and what is skipped. Each is on unless it is to be measured.
 struct Switches {
-    bool share = true;           ///< nodes are kept from frame to frame; else each frame computes all it needs
-    bool cull = true;            ///< parts of meshes that are out of view or turned away are not drawn
-    bool front_to_back = true;   ///< the nearest mesh is drawn first
-    bool specialise = true;      ///< programs without what a material or look has none of
-    bool skip_unlit = true;      ///< no shadow map for a light that lights nothing in view
-    bool rectangle = true;       ///< nothing runs outside of the pixels that can show the model
-    bool early_test = true;      ///< a depth test keeps blurs off other pixels; else a branch in the shader
+    bool share = true;         ///< nodes are kept from frame to frame; else each frame computes all it needs
+    bool cull = true;          ///< parts of meshes that are out of view or turned away are not drawn
+    bool front_to_back = true; ///< the nearest mesh is drawn first
+    bool specialise = true;    ///< programs without what a material or look has none of
+    bool skip_unlit = true;    ///< no shadow map for a light that lights nothing in view
+    bool rectangle = true;     ///< nothing runs outside of the pixels that can show the model
+    bool early_test = true;    ///< a depth test keeps blurs off other pixels; else a branch in the shader
     bool level_of_detail = true; ///< Gaussians too narrow to be seen are left out, pixel by pixel
 };
 
