@@ -3,25 +3,27 @@
 
 #version 450 core
 
-// One 1D Gaussian of the bloom, pairs of texels fetched at once by the sampler.
+// One 1D Gaussian of the bloom. The k-th tap to both sides weighs ratio^(k^2), which takes two products a tap.
 layout(binding = 0) uniform sampler2D source;
-uniform vec2 axis;
+uniform ivec2 axis;
 uniform float sigma_px;
 
 layout(location = 0) out vec4 blurred;
 
 void main() {
-    vec2 texel = 1.0 / vec2(textureSize(source, 0));
-    vec4 sum = texture(source, gl_FragCoord.xy * texel);
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    ivec2 last = textureSize(source, 0) - 1;
+    vec4 sum = texelFetch(source, pixel, 0);
     float total = 1.0;
     int reach = int(ceil(3.0 * sigma_px));
-    for (int i = 1; i <= reach; i += 2) {
-        float near = exp(-0.5 * float(i * i) / (sigma_px * sigma_px));
-        float far = exp(-0.5 * float((i + 1) * (i + 1)) / (sigma_px * sigma_px));
-        float weight = near + far;
-        vec2 offset = axis * (float(i) + far / max(weight, 1e-30)); // both are 0 far out
-        sum += weight * (texture(source, (gl_FragCoord.xy + offset) * texel) +
-                         texture(source, (gl_FragCoord.xy - offset) * texel));
+    float ratio = exp(-0.5 / (sigma_px * sigma_px));
+    float next_ratio = ratio; // ratio^(2k - 1)
+    float weight = 1.0;
+    for (int k = 1; k <= reach; ++k) {
+        weight *= next_ratio;
+        next_ratio *= ratio * ratio;
+        sum += weight * (texelFetch(source, min(pixel + k * axis, last), 0) +
+                         texelFetch(source, max(pixel - k * axis, ivec2(0)), 0));
         total += 2.0 * weight;
     }
     blurred = sum / total;

@@ -75,11 +75,11 @@ void Finish::bloom() {
     bloom_.set("sigma_px", std::max(0.5f * look_.bloom_sigma_px, 1e-3f));
     begin_rect(half_blurred_target_, rect);
     half_.bind(0);
-    bloom_.set("axis", glm::vec2(1, 0));
+    bloom_.set("axis", glm::ivec2(1, 0));
     draw_screen();
     begin_rect(half_target_, rect);
     half_blurred_.bind(0);
-    bloom_.set("axis", glm::vec2(0, 1));
+    bloom_.set("axis", glm::ivec2(0, 1));
     draw_screen();
     end_rect();
 }
