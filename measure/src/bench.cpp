@@ -168,7 +168,8 @@ void add_bench(CLI::App& app) {
     CLI::App* bench = app.add_subcommand("bench", "Benchmarks");
     bench->require_subcommand(1);
     add_set(*bench);
-    bench->footer("EXAMPLES\n  skin2afc bench accuracy --out out/accuracy --quick\n  skin2afc bench set --out out/set --quick");
+    bench->footer("EXAMPLES\n  skin2afc bench accuracy --out out/accuracy --quick\n  skin2afc bench set "
+                  "--out out/set --quick");
     const auto arguments = std::make_shared<Arguments>();
     CLI::App* command = bench->add_subcommand("accuracy", "Run time of every setting against its error");
     command->add_option("--out", arguments->out, "Folder for tables, figure and page; made if missing")

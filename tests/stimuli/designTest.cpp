@@ -76,7 +76,8 @@ TEST(DesignTest, onlyNamesWhatItTakes) {
         kept({"shader=references"});
         FAIL();
     } catch (const support::InputError& error) {
-        EXPECT_NE(std::string(error.what()).find("ss_full, reference, found"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("ss_full, reference, found"), std::string::npos)
+            << error.what();
     }
 }
 
