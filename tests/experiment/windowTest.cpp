@@ -56,7 +56,10 @@ protected:
 
     /// Whether the whole screen shows the picture, pixel for pixel, with black around it.
     void expect_picture(int number) const {
+        // Mesa sends a frame to the server in stripes, the top first.
         ASSERT_TRUE(screen_.becomes(left, top, fixture::pixel_of(number, 0, 0)));
+        ASSERT_TRUE(screen_.becomes(left + 319, top + 199, fixture::pixel_of(number, 319, 199)));
+        ASSERT_TRUE(screen_.becomes(left, top + 200, {}));
         for (const auto& [x, y] :
              {std::pair{0, 0}, {1, 0}, {0, 1}, {57, 83}, {160, 100}, {319, 0}, {0, 199}, {319, 199}}) {
             EXPECT_EQ(screen_.pixel(left + x, top + y), fixture::pixel_of(number, x, y)) << x << " " << y;
