@@ -169,7 +169,7 @@ void add_bench(CLI::App& app) {
     bench->require_subcommand(1);
     add_set(*bench);
     bench->footer("EXAMPLES\n  skin2afc bench accuracy --out out/accuracy --quick\n  skin2afc bench set "
-                  "--out out/set --quick");
+                  "--out out/set --quick\n  skin2afc bench frames --out out/frames --quick");
     const auto arguments = std::make_shared<Arguments>();
     CLI::App* command = bench->add_subcommand("accuracy", "Run time of every setting against its error");
     command->add_option("--out", arguments->out, "Folder for tables, figure and page; made if missing")

@@ -135,8 +135,8 @@ std::vector<gl::Texture>& TextureSpace::gaussians(Skin& skin, int size) const {
     return gaussians;
 }
 
-/// The side of the coarsest map whose texels are no larger than pixels where the skin is nearest: the size by
-/// depth of [JimenezGutierrez2008]. 0 where no part of the skin is in view.
+/// The side of the coarsest map that has texels_a_pixel texels to a pixel where the skin is nearest: the size
+/// by depth of [JimenezGutierrez2008]. 0 where no part of the skin is in view.
 int TextureSpace::fitting_size(const Skin& skin, const GpuModel& model, const GpuModel::View& view,
                                const scene::Camera& camera) const {
     float nearest_mm = std::numeric_limits<float>::infinity();
