@@ -5,7 +5,8 @@
 
 // One 1D Gaussian over the charts [DEonLuebke2007]. Taps on another chart, or on none, take no part. Taps stand on whole
 // texels, as in screen_blur.frag. A depth test keeps it to texels on charts.
-// REACH (taps to each side), ALONG_V, CHART_IN and CHART_OUT are defined by the program.
+// REACH (taps to each side), ALONG_V, CHART_IN, CHART_OUT and ADD (whether to add to the profile's sum, by blending) are
+// defined by the program.
 layout(binding = 0) uniform sampler2D source;      // rgb times mask; mask or, where CHART_IN is set, the chart
 layout(binding = 1) uniform sampler2D stretch_map; // texels per unit of length along u and v
 layout(binding = 2) uniform sampler2D chart_map;   // 0: no chart
@@ -16,6 +17,10 @@ uniform float gather_variance; // texels squared: what reading the map between i
 uniform float table_end;       // the greatest standard deviation of the table, steps
 
 layout(location = 0) out vec4 blurred;
+#if ADD
+uniform vec3 weight_in_sum;
+layout(location = 1) out vec4 added;
+#endif
 
 // The light of a texel times mask, and its mask on this chart. Beyond the map's edge there is no chart: its border is 0.
 vec4 tap(vec2 place, float chart) {
@@ -51,4 +56,7 @@ void main() {
         sum += weight * tap((gl_FragCoord.xy - offset) / size, chart);
     }
     blurred = vec4(sum.rgb / sum.a, CHART_OUT == 1 ? chart : 1.0);
+#if ADD
+    added = vec4(weight_in_sum * blurred.rgb, 1.0);
+#endif
 }

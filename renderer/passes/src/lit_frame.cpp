@@ -174,6 +174,11 @@ const LitFrame& LitPass::render(const GpuModel& model, const GpuModel::View& vie
     if (samples_) {
         resolve(view.rect);
     }
+    ++frame_.light_number;
+    if (camera_ != camera || !switches.share) {
+        ++frame_.depth_number;
+        camera_ = camera;
+    }
     frame_.level = ShadowMap::level(light);
     frame_.rect = view.rect;
     frame_.skin = view.skin;

@@ -3,7 +3,9 @@
 
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 
 #include <renderer/gl/objects.h>
 #include <renderer/passes/pipeline.h>
@@ -28,6 +30,8 @@ struct LitFrame {
     PixelRect skin;               ///< no skin outside; within `rect`
     glm::vec3 level{1}; ///< what the light of this frame is to be multiplied with, see ShadowMap::level()
     float nearest_mm = 1, farthest_mm = 1; ///< depths of the skin; above 0
+    // What is made from the frame can be kept while these stay: the light, and the depth, which any light leaves.
+    std::uint64_t light_number = 0, depth_number = 0;
 
     float middle_mm() const { return 0.5f * (nearest_mm + farthest_mm); }
 
@@ -73,6 +77,7 @@ private:
 
     int sample_count_;
     int maps_read_ = 0;
+    std::optional<scene::Camera> camera_; // of the depth
     ProgramVariants programs_;
     gl::Texture depth_; // of the samples
     LitFrame frame_;

@@ -220,6 +220,16 @@ struct Pipeline::State {
         }
     }
 
+    const gl::Texture& narrowest_gaussian(const LitFrame& frame, const scene::Camera& camera) {
+        if (screen_space->holds_narrowest(frame)) {
+            reused.emplace_back("narrowest Gaussian");
+        } else {
+            timed("narrowest Gaussian", [&] { screen_space->narrowest(frame, camera); });
+            counts["blur passes"] += &screen_space->narrowest(frame, camera) == &frame.diffuse ? 0 : 2;
+        }
+        return screen_space->narrowest(frame, camera);
+    }
+
     const gl::Texture& gathered(const scene::Camera& camera, const Light& light) {
         const LitFrame& frame = lit->frame();
         unwrap(camera);
@@ -235,18 +245,19 @@ struct Pipeline::State {
         } else {
             reused.emplace_back("ts irradiance and blurs");
         }
-        const gl::Texture* narrowest = &frame.diffuse;
-        if (!methods.ts.unblurred_first) {
-            timed("ts narrowest", [&] { narrowest = &screen_space->narrowest(frame, camera); });
-        }
+        const gl::Texture& narrowest =
+            methods.ts.unblurred_first ? frame.diffuse : narrowest_gaussian(frame, camera);
         const gl::Texture* result = nullptr;
         timed("ts gather", [&] {
-            result = &texture_space->gather(model, view, frame, *narrowest, model.seen_by(camera));
+            result = &texture_space->gather(model, view, frame, narrowest, model.seen_by(camera));
         });
         return *result;
     }
 
     const gl::Texture& blurred(const LitFrame& frame, const scene::Camera& camera) {
+        if (screen_space->begins_with_narrowest(frame, camera)) {
+            narrowest_gaussian(frame, camera);
+        }
         const gl::Texture* result = nullptr;
         timed("ss_full", [&] { result = &screen_space->full(frame, camera); });
         const GaussianCounts& gaussians = screen_space->counts();
@@ -254,7 +265,7 @@ struct Pipeline::State {
         counts["gaussians in part"] = gaussians.in_part;
         counts["gaussians at half resolution"] = gaussians.at_half;
         counts["gaussians skipped"] = gaussians.skipped;
-        counts["blur passes"] = gaussians.passes;
+        counts["blur passes"] += gaussians.passes;
         if (gaussians.skipped > 0) {
             skipped.push_back(
                 fmt::format("Gaussians narrower than can be seen at this distance: {}", gaussians.skipped));
@@ -312,7 +323,9 @@ struct Pipeline::State {
             return;
         }
         light_view(camera, light);
+        const int surfaces = screen_space->surfaces_found();
         finish_frame(scattered(shader, camera, light), camera, with_linear);
+        counts["surfaces"] = screen_space->surfaces_found() - surfaces;
     }
 };
 

@@ -14,12 +14,6 @@ constexpr int table_size = 512;
 // Below this width, in pixels, a Gaussian's shape is lost between pixels, and three taps carry its variance.
 constexpr float few_taps_below_px = 0.6f;
 
-/// Floats of 32 bits carry the depth along in alpha, which saves reading it; between pixels, where the
-/// published taps stand, it would be no depth.
-bool carries_depth(const FullMethod& method) {
-    return blur_format(method) == GL_RGBA32F && !method.published_taps;
-}
-
 std::vector<gl::Framebuffer> framebuffers(const std::vector<gl::Texture>& blurred, const gl::Texture& sum,
                                           const gl::Texture& depth, bool on_the_fly) {
     std::vector<gl::Framebuffer> result;
@@ -47,6 +41,12 @@ GLenum blur_format(const FullMethod& method) {
     return light_format();
 }
 
+/// Floats of 32 bits carry the depth along in alpha, which saves reading it; between pixels, where the
+/// published taps stand, it would be no depth.
+bool ScreenBlur::carries_depth(const FullMethod& method) {
+    return blur_format(method) == GL_RGBA32F && !method.published_taps;
+}
+
 RatioTable::RatioTable(int reach)
     : end(std::max(1.36f, 0.46f * static_cast<float>(reach))), // steps are ceil(3 / reach sigma - 0.35), or 1
       texture(GL_R32F, table_size, 1) {
@@ -64,7 +64,7 @@ ScreenBlur::Taps::Taps(int reach, const FullMethod& method, bool early_test) : r
                     {"PUBLISHED_TAPS", method.published_taps ? 1 : 0},
                     {"REJECT_GAPS", method.reject_gaps ? 1 : 0},
                     {"EARLY_TEST", early_test ? 1 : 0},
-                    {"DEPTH_OUT", carries_depth(method) ? 1 : 0}};
+                    {"DEPTH_OUT", ScreenBlur::carries_depth(method) ? 1 : 0}};
     for (gl::Program* program : {&from_matte, &from_depth, &second}) {
         defines["DEPTH_IN"] = program == &from_matte ? 0 : defines["DEPTH_OUT"];
         defines["SECOND_PASS"] = program == &second ? 1 : 0;
@@ -101,7 +101,7 @@ void ScreenBlur::clear_blurred() {
     }
 }
 
-void ScreenBlur::begin(const gl::Texture& unblurred) {
+void ScreenBlur::begin(const gl::Texture& unblurred, bool has_depth) {
     // Where there is no skin nothing is drawn, and the matte has to be 0: in the rectangle, and beside it,
     // where taps reach and an earlier frame may have had skin.
     if (surface_.geometry().rect == rect_) {
@@ -113,6 +113,7 @@ void ScreenBlur::begin(const gl::Texture& unblurred) {
         rect_ = surface_.geometry().rect;
     }
     unblurred_ = source_ = &unblurred;
+    unblurred_has_depth_ = has_depth;
     next_ = 0;
     sum_started_ = false;
     weight_ = glm::vec3(0);
@@ -173,8 +174,8 @@ void ScreenBlur::blur(float sigma_mm, float widest_px, const glm::vec3& weight, 
     }
     const Taps& taps = widest_px < few_taps_below_px ? few_taps_ : taps_;
     glEnable(GL_FRAMEBUFFER_SRGB); // of effect on 8-bit targets alone
-    pass(taps, source_ == unblurred_ ? taps.from_matte : taps.from_depth, half_target_, *source_, sigma_mm,
-         before_mm);
+    const bool from_matte = source_ == unblurred_ && !unblurred_has_depth_;
+    pass(taps, from_matte ? taps.from_matte : taps.from_depth, half_target_, *source_, sigma_mm, before_mm);
 
     const std::size_t target = on_the_fly ? 0 : next_;
     next_ = target + 1;

@@ -28,8 +28,11 @@ public:
     ScreenBlur(const ScreenSurface& surface, int width, int height, const FullMethod& method,
                std::size_t gaussians, bool early_test);
 
-    /// Start anew with `unblurred`, light times matte and matte, in the surface found last.
-    void begin(const gl::Texture& unblurred);
+    /// Start anew in the surface found last, with light times matte whose alpha is the matte or, if it comes
+    /// from a blur that carries it, the depth.
+    void begin(const gl::Texture& unblurred, bool has_depth = false);
+    /// Whether alpha is the depth in what a blur by this method makes.
+    static bool carries_depth(const FullMethod& method);
     /// Blur further by a Gaussian, where the skin is nearer than `before_mm` (0: everywhere, as has to be
     /// where all are kept), and add the result to the sum with this weight. `widest_px` is its width where
     /// the skin is nearest.
@@ -73,6 +76,7 @@ private:
     PixelRect rect_; ///< nothing but 0 outside of it
     // Of the frame:
     const gl::Texture* unblurred_ = nullptr;
+    bool unblurred_has_depth_ = false;
     const gl::Texture* source_ = nullptr;
     std::size_t next_ = 0;
     bool sum_started_ = false;

@@ -14,7 +14,7 @@ constexpr float widest_step = 0.25f;
 } // namespace
 
 ScreenSurface::ScreenSurface(int width, int height, Foreshortening foreshortening, const Stretch& stretch)
-    : stretch_(stretch),
+    : foreshortening_(foreshortening), stretch_(stretch),
       program_(load_screen_program(
           "screen_surface.frag",
           {{"PUBLISHED_FORESHORTENING", foreshortening == Foreshortening::published ? 1 : 0}})),
@@ -29,7 +29,11 @@ float ScreenSurface::buffered(float depth_mm) const {
     return std::min(geometry_.nearest_mm / depth_mm, 1.0f);
 }
 
-void ScreenSurface::find(const gl::Texture& depth_mm, const ScreenGeometry& geometry) {
+bool ScreenSurface::find(const gl::Texture& depth_mm, std::uint64_t number, const ScreenGeometry& geometry) {
+    if (number_ == number && depth_mm_ == &depth_mm && geometry_ == geometry) {
+        return false;
+    }
+    number_ = number;
     if (geometry_.rect != geometry.rect) {
         target_.clear_color(0, glm::vec4(0));
         target_.clear_color(1, glm::vec4(0));
@@ -55,6 +59,7 @@ void ScreenSurface::find(const gl::Texture& depth_mm, const ScreenGeometry& geom
     glDepthFunc(GL_LESS);
     glDisable(GL_DEPTH_TEST);
     end_rect();
+    return true;
 }
 
 void ScreenSurface::bind(const gl::Program& program) const {

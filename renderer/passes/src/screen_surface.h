@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <cstdint>
+
 #include <renderer/gl/objects.h>
 #include <renderer/passes/pipeline.h>
 
@@ -19,14 +21,21 @@ struct ScreenGeometry {
     PixelRect rect{};     ///< no skin outside
     float nearest_mm = 1; ///< no skin before this depth
     float scale = 1;      ///< pixels of the pass per pixel of the image
+
+    bool operator==(const ScreenGeometry&) const = default;
 };
 
 /// How deep the skin is at each pixel, which plane it lies in, and how kernels look there: what all passes of
-/// a method need to know, found once a frame.
+/// a method need to know, found once a camera.
 class ScreenSurface {
 public:
     ScreenSurface(int width, int height, Foreshortening foreshortening, const Stretch& stretch);
-    void find(const gl::Texture& depth_mm, const ScreenGeometry& geometry);
+    /// `number` changes with what `depth_mm` holds: what was found last is kept while both arguments stay.
+    /// Whether it had to be found.
+    bool find(const gl::Texture& depth_mm, std::uint64_t number, const ScreenGeometry& geometry);
+    bool is_for(Foreshortening foreshortening, const Stretch& stretch) const {
+        return foreshortening == foreshortening_ && stretch == stretch_;
+    }
     /// Bind the maps to units 1 and 2, the depth to 5, and set the uniforms of screen_surface.glsl.
     void bind(const gl::Program& program) const;
     const ScreenGeometry& geometry() const { return geometry_; }
@@ -38,11 +47,13 @@ public:
     float buffered(float depth_mm) const;
 
 private:
+    Foreshortening foreshortening_;
     Stretch stretch_;
     gl::Program program_;
     gl::Texture shapes_, planes_, depth_buffer_;
     gl::Framebuffer target_;
     ScreenGeometry geometry_;
+    std::uint64_t number_ = 0; ///< of the depth; 0: none yet
     const gl::Texture* depth_mm_ = nullptr;
 };
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <support/error.h>
 
@@ -122,17 +123,15 @@ const UvMaps& TextureSpace::maps(const GpuModel& model, const Skin& skin, int si
     return first.maps.emplace(size, passes_.unwrapped(source_, model, first.layout, space)).first->second;
 }
 
-std::vector<gl::Texture>& TextureSpace::gaussians(Skin& skin, int size) const {
+gl::Texture& TextureSpace::scattered(Skin& skin, int size) const {
     // The coarsest level of all sizes is the same, so that they look alike.
     int levels = gather_levels;
     for (int larger = size_; larger / 2 >= size && levels > 1; larger /= 2) {
         --levels;
     }
-    std::vector<gl::Texture>& gaussians = skin.gaussians[size];
-    while (gaussians.size() < passes_.steps()) {
-        gaussians.push_back(light_map(size, levels));
-    }
-    return gaussians;
+    const auto found = skin.scattered.find(size);
+    return found != skin.scattered.end() ? found->second
+                                         : skin.scattered.emplace(size, light_map(size, levels)).first->second;
 }
 
 /// The side of the coarsest map that has texels_a_pixel texels to a pixel where the skin is nearest: the size
@@ -228,23 +227,16 @@ void TextureSpace::draw_irradiance(const gl::Program& irradiance, const GpuModel
 void TextureSpace::blur(Skin& skin, const UvMaps& maps, const gl::Texture& wanted) {
     // What is not wanted keeps the alpha 0: it takes no part in blurs, nor when the maps are read.
     UvWorkspace& space = spaces_.at(maps.size);
-    std::vector<gl::Texture>& blurred = gaussians(skin, maps.size);
+    gl::Texture& sum = scattered(skin, maps.size);
     gl::Framebuffer({&space.dilated}).clear_color(0, glm::vec4(0));
     gl::Framebuffer({&space.half_blurred}).clear_color(0, glm::vec4(0));
-    if (culled_) {
-        for (const gl::Texture& gaussian : blurred) {
-            gl::Framebuffer({&gaussian}).clear_color(0, glm::vec4(0));
-        }
-    }
+    gl::Framebuffer({&sum}).clear_color(0, glm::vec4(0));
     passes_.dilate(space.drawn, space.dilated, maps, wanted);
-    const gl::Texture* source = &space.dilated;
-    for (std::size_t k = 0; k < blurred.size(); ++k) {
-        passes_.blur(*source, blurred[k], maps, space, wanted, k);
-        source = &blurred[k];
+    const WeightedSum into{sum, weights_};
+    for (std::size_t k = 0; k < passes_.steps(); ++k) {
+        passes_.blur(space.dilated, space.dilated, maps, space, wanted, k, &into);
     }
-    for (gl::Texture& gaussian : blurred) {
-        gaussian.generate_mipmaps();
-    }
+    sum.generate_mipmaps();
 }
 
 void TextureSpace::draw_gathered(const GpuModel& model, const GpuModel::View& view) const {
@@ -255,19 +247,14 @@ void TextureSpace::draw_gathered(const GpuModel& model, const GpuModel::View& vi
         const auto skin = std::find_if(skins_.begin(), skins_.end(), [&](const Skin& candidate) {
             return candidate.material == material && candidate.size > 0;
         });
-        // What is not skin has no count, but it may stand before some.
-        gather_.set("count", model.traits(material).scatters ? static_cast<int>(weights_.size()) : 0);
+        // What is not skin has no light here, but it may stand before some.
+        gather_.set("is_skin", model.traits(material).scatters ? 1 : 0);
         if (skin != skins_.end()) {
-            const std::vector<gl::Texture>& gaussians = skin->gaussians.at(skin->size);
-            for (std::size_t k = 0; k < gaussians.size(); ++k) {
-                gaussians[k].bind(static_cast<GLuint>(k));
-            }
+            skin->scattered.at(skin->size).bind(0);
             gather_.set("uv_origin", skin->layout.uv_origin);
             gather_.set("uv_scale", skin->layout.uv_scale);
         } else { // skin that has no place in a map keeps its light
-            for (std::size_t k = 0; k < weights_.size(); ++k) {
-                nowhere_.bind(static_cast<GLuint>(k));
-            }
+            nowhere_.bind(0);
         }
         model.draw_part(part);
     }
@@ -277,14 +264,14 @@ void TextureSpace::draw_gathered(const GpuModel& model, const GpuModel::View& vi
 const gl::Texture& TextureSpace::gather(const GpuModel& model, const GpuModel::View& view,
                                         const LitFrame& lit, const gl::Texture& narrowest,
                                         const scene::Camera& camera) {
-    // Sum the Gaussians at each sample of the visible surface.
+    // Look up the light at each sample of the visible surface.
     begin_rect(gather_target_, lit.rect);
     gather_target_.clear_color(0, glm::vec4(0));
     gather_target_.clear_depth(0);
     gather_.use();
     set_camera(gather_, camera, model.bounds());
-    gather_.set("weights", weights_);
-    lit.diffuse.bind(6);
+    gather_.set("weight_in_maps", std::accumulate(weights_.begin(), weights_.end(), glm::vec3(0)));
+    lit.diffuse.bind(1);
     draw_gathered(model, view);
     end_rect();
     const gl::Texture* gathered = &gathered_samples_;

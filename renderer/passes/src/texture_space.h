@@ -45,7 +45,7 @@ public:
                const SurfaceLook& look, const Light& light, const std::vector<std::size_t>& beams,
                const ShadowMap& shadow, const Switches& switches);
 
-    /// The weighted sum of the Gaussians on the screen, `narrowest` being the first of them. Once a view.
+    /// The scattered light on the screen, with `narrowest`, the first of the Gaussians. Once a view.
     const gl::Texture& gather(const GpuModel& model, const GpuModel::View& view, const LitFrame& lit,
                               const gl::Texture& narrowest, const scene::Camera& camera);
 
@@ -59,13 +59,13 @@ private:
         std::size_t material = 0;
         UvLayout layout;
         std::size_t alike = 0;                             ///< the first skin that lies alike in its map
-        std::map<int, UvMaps> maps;                        ///< by size; of the first alone
-        std::map<int, std::vector<gl::Texture>> gaussians; ///< by size; [k]: irradiance blurred k + 1 times
-        int size = 0;                                      ///< of the maps lit last; 0: none
+        std::map<int, UvMaps> maps;         ///< by size; of the first alone
+        std::map<int, gl::Texture> scattered; ///< by size; the weighted sum of the Gaussians
+        int size = 0;                       ///< of the map lit last; 0: none
     };
     void add_skin(const GpuModel& model, std::size_t material);
     const UvMaps& maps(const GpuModel& model, const Skin& skin, int size);
-    std::vector<gl::Texture>& gaussians(Skin& skin, int size) const;
+    gl::Texture& scattered(Skin& skin, int size) const;
     int fitting_size(const Skin& skin, const GpuModel& model, const GpuModel::View& view,
                      const scene::Camera& camera) const;
     /// The texels to light, as a depth buffer; null if there are none.

@@ -22,12 +22,13 @@ constexpr float bilinear_variance = 1.0f / 6;
 constexpr float widest_step = 0.125f; // of the map's side
 
 /// Floats of 32 bits carry the chart's number along in alpha, which spares reading it.
-Defines blur_defines(bool along) {
+Defines blur_defines(bool along, bool add = false) {
     const bool carries = light_format() == GL_RGBA32F;
     return {{"REACH", blur_reach},
             {"ALONG_V", along ? 1 : 0},
             {"CHART_IN", carries && along ? 1 : 0},
-            {"CHART_OUT", carries && !along ? 1 : 0}};
+            {"CHART_OUT", carries && !along ? 1 : 0},
+            {"ADD", add ? 1 : 0}};
 }
 
 std::vector<float> read_floats(const gl::Texture& texture) {
@@ -66,9 +67,11 @@ UvPasses::UvPasses(std::vector<float> sigmas_mm)
     : sigmas_mm_(std::move(sigmas_mm)), geometry_(load_program("unwrapped.vert", "uv_geometry.frag")),
       select_(load_screen_program("uv_select.frag")), dilate_(load_screen_program("dilate.frag")),
       across_(load_screen_program("uv_blur.frag", blur_defines(false))),
-      along_(load_screen_program("uv_blur.frag", blur_defines(true))), ratios_(blur_reach) {
-    across_.set("table_end", ratios_.end);
-    along_.set("table_end", ratios_.end);
+      along_(load_screen_program("uv_blur.frag", blur_defines(true))),
+      along_and_add_(load_screen_program("uv_blur.frag", blur_defines(true, true))), ratios_(blur_reach) {
+    for (const gl::Program* program : {&across_, &along_, &along_and_add_}) {
+        program->set("table_end", ratios_.end);
+    }
 }
 
 void UvPasses::draw_charts(const scene::Model& source, const GpuModel& model, const UvLayout& layout) const {
@@ -197,15 +200,17 @@ void UvPasses::dilate(const gl::Texture& source, const gl::Texture& target, cons
 }
 
 void UvPasses::blur(const gl::Texture& source, const gl::Texture& target, const UvMaps& maps,
-                    UvWorkspace& space, const gl::Texture& wanted, std::size_t step) const {
+                    UvWorkspace& space, const gl::Texture& wanted, std::size_t step,
+                    const WeightedSum* sum) const {
     maps.stretch[step].bind(1);
     maps.chart.bind(2);
     ratios_.texture.bind(3);
     nearest_.bind(0);
     nearest_.bind(2);
     const UvTest test;
-    const auto pass = [&](const gl::Program& program, const gl::Texture& from, const gl::Texture& to) {
-        const gl::Framebuffer framebuffer({&to}, &wanted);
+    const auto pass = [&](const gl::Program& program, const gl::Texture& from,
+                          const std::vector<const gl::Texture*>& to) {
+        const gl::Framebuffer framebuffer(to, &wanted);
         framebuffer.bind();
         program.use();
         program.set("sigma", sigmas_mm_[step] / maps.unit_mm);
@@ -214,8 +219,16 @@ void UvPasses::blur(const gl::Texture& source, const gl::Texture& target, const 
         from.bind(0);
         draw_screen();
     };
-    pass(across_, source, space.half_blurred);
-    pass(along_, space.half_blurred, target);
+    pass(across_, source, {&space.half_blurred});
+    if (sum) {
+        along_and_add_.set("weight_in_sum", sum->weights[step]);
+        glEnablei(GL_BLEND, 1);
+        glBlendFuncSeparatei(1, GL_ONE, GL_ONE, GL_ONE, GL_ZERO);
+        pass(along_and_add_, space.half_blurred, {&target, &sum->map});
+        glDisablei(GL_BLEND, 1);
+    } else {
+        pass(along_, space.half_blurred, {&target});
+    }
     gl::Sampler::unbind(0);
     gl::Sampler::unbind(2);
 }

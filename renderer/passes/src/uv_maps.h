@@ -36,6 +36,12 @@ struct UvWorkspace {
     gl::Texture blocks; ///< R8: which blocks are wanted
 };
 
+/// Where to add up the Gaussians, and the weight of each.
+struct WeightedSum {
+    const gl::Texture& map;
+    const std::vector<glm::vec3>& weights;
+};
+
 /// While it lives, drawing into a target with one of the depth buffers above leaves texels with 0 alone.
 class UvTest {
 public:
@@ -58,9 +64,9 @@ public:
     void dilate(const gl::Texture& source, const gl::Texture& target, const UvMaps& maps,
                 const gl::Texture& wanted) const;
     /// Blur the wanted texels by Gaussian `step`. What is not wanted has the alpha 0 in the source, and in
-    /// `space.half_blurred` before the first step.
+    /// `space.half_blurred` before the first step. The target may be the source.
     void blur(const gl::Texture& source, const gl::Texture& target, const UvMaps& maps, UvWorkspace& space,
-              const gl::Texture& wanted, std::size_t step) const;
+              const gl::Texture& wanted, std::size_t step, const WeightedSum* sum = nullptr) const;
     std::size_t steps() const { return sigmas_mm_.size(); }
 
 private:
@@ -68,7 +74,7 @@ private:
     void draw_selection(const UvMaps& maps, const gl::Texture& blocks, const gl::Texture& depth) const;
 
     std::vector<float> sigmas_mm_;
-    gl::Program geometry_, select_, dilate_, across_, along_;
+    gl::Program geometry_, select_, dilate_, across_, along_, along_and_add_;
     RatioTable ratios_;
     gl::Sampler nearest_{GL_NEAREST, GL_CLAMP_TO_BORDER}; ///< with no chart beyond the edge
 };

@@ -33,6 +33,7 @@ using scene::Look;
 struct Stretch {
     std::optional<float> alpha; ///< published value; else the physical width
     std::optional<float> beta;  ///< published value, pixels; else the physical value
+    bool operator==(const Stretch&) const = default;
 };
 
 /// Irradiance in texture space [DEonLuebke2007].
@@ -81,6 +82,7 @@ struct FullMethod {
     /// The unblurred light stands for the narrowest Gaussian, as the 2010 article has it for its fit of four.
     bool unblurred_first = false;
     Stretch stretch; ///< published foreshortening alone reads beta
+    bool operator==(const FullMethod&) const = default;
 };
 
 /// The form of the 2009 and 2010 papers.
