@@ -162,6 +162,47 @@ TEST_F(SkippingTest, noSwitchShowsBeyondItsBound) {
     }
 }
 
+// The surface on the screen depends on the camera alone, the narrowest Gaussian on the lit frame alone, and
+// ts and ss_full both need it.
+TEST_F(SkippingTest, whatShadersHaveInCommonIsMadeOnceAndChangesNoBit) {
+    const scene::Model model = crowd();
+    const scene::Camera camera = scenes::camera(180, 384, 288); // near enough to see it
+    scene::Light other_light = two_lights();
+    other_light.direction = glm::normalize(glm::vec3(-1, 1, 1));
+    passes::Pipeline shared(model, look(), methods());
+    const auto has = [](const std::vector<std::string>& nodes) { return says(nodes, "narrowest Gaussian"); };
+
+    const passes::Frame first = shared.render(Shader::ts, camera, two_lights(), true);
+    EXPECT_TRUE(has(first.passes_run));
+    EXPECT_EQ(count(first, "surfaces"), 1);
+    const passes::Frame jittered = shared.render(Shader::ss_jittered, camera, two_lights(), true);
+    EXPECT_EQ(count(jittered, "surfaces"), 0);
+    const passes::Frame full = shared.render(Shader::ss_full, camera, two_lights(), true);
+    EXPECT_TRUE(has(full.passes_reused));
+    EXPECT_FALSE(has(full.passes_run));
+    const long long at_half = count(full, "gaussians at half resolution") > 0 ? 1 : 0;
+    EXPECT_EQ(count(full, "surfaces"), at_half);
+    EXPECT_EQ(count(full, "blur passes"),
+              2 * (count(full, "gaussians") + count(full, "gaussians in part") - 1));
+    // Another light leaves the surface where it is, another camera does not.
+    const passes::Frame relit = shared.render(Shader::ss_full, camera, other_light, true);
+    EXPECT_TRUE(has(relit.passes_run));
+    EXPECT_EQ(count(relit, "surfaces"), 0);
+    const scene::Camera other_camera = scenes::camera(190, 384, 288);
+    const passes::Frame moved = shared.render(Shader::ss_full, other_camera, other_light, true);
+    EXPECT_EQ(count(moved, "surfaces"), 1 + at_half);
+
+    // Each is the image that a pipeline of its own makes.
+    const auto alone = [&](Shader shader, const scene::Camera& from, const scene::Light& light) {
+        return passes::Pipeline(model, look(), methods()).render(shader, from, light, true).linear;
+    };
+    EXPECT_EQ(first.linear, alone(Shader::ts, camera, two_lights()));
+    EXPECT_EQ(jittered.linear, alone(Shader::ss_jittered, camera, two_lights()));
+    EXPECT_EQ(full.linear, alone(Shader::ss_full, camera, two_lights()));
+    EXPECT_EQ(relit.linear, alone(Shader::ss_full, camera, other_light));
+    EXPECT_EQ(moved.linear, alone(Shader::ss_full, other_camera, other_light));
+}
+
 TEST_F(SkippingTest, bothWaysToSumGaussiansGiveTheSameImage) {
     const scene::Model model = crowd();
     for (const bool half : {false, true}) {

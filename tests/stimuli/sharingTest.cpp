@@ -38,6 +38,7 @@ TEST_F(SharingTest, whatLightsAndViewsDetermineIsComputedOnce) {
     EXPECT_EQ(runs(report, "shadow map"), lights);
     EXPECT_EQ(runs(report, "lit frame"), views);
     EXPECT_EQ(runs(report, "ts irradiance and blurs"), lights);
+    EXPECT_EQ(runs(report, "narrowest Gaussian"), views); // for ts and ss_full
     EXPECT_EQ(runs(report, "ts unwrapping"), 1);
     EXPECT_EQ(runs(report, "composite"), images);
     // The manifest tells the same: each image either ran a node or was left it by an earlier one.
@@ -73,8 +74,8 @@ TEST_F(SharingTest, nothingIsComputedForWhatIsLeftOut) {
     for (const auto& [node, cost] : report.costs) {
         nodes.insert(node);
     }
-    for (const char* needless : {"ts unwrapping", "ts irradiance and blurs", "narrowest Gaussian", "ts gather",
-                                 "ss_full", "ss_jittered", "contact sheet"}) {
+    for (const char* needless : {"ts unwrapping", "ts irradiance and blurs", "narrowest Gaussian",
+                                 "ts gather", "ss_full", "ss_jittered", "contact sheet"}) {
         EXPECT_FALSE(nodes.contains(needless)) << needless;
     }
     // A set that is up to date needs no node at all, and no frame waits.

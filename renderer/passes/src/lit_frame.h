@@ -30,7 +30,8 @@ struct LitFrame {
     PixelRect skin;               ///< no skin outside; within `rect`
     glm::vec3 level{1}; ///< what the light of this frame is to be multiplied with, see ShadowMap::level()
     float nearest_mm = 1, farthest_mm = 1; ///< depths of the skin; above 0
-    // What is made from the frame can be kept while these stay: the light, and the depth, which any light leaves.
+    // What is made from the frame can be kept while these stay: the light, and the depth, which any light
+    // leaves.
     std::uint64_t light_number = 0, depth_number = 0;
 
     float middle_mm() const { return 0.5f * (nearest_mm + farthest_mm); }

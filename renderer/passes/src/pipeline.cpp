@@ -4,14 +4,13 @@
 #include <renderer/passes/pipeline.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <map>
-#include <utility>
 
 #include <renderer/gl/context.h>
 #include <support/error.h>
 
+#include "driver_limit.h"
 #include "finish.h"
 #include "gpu_model.h"
 #include "lit_frame.h"
@@ -21,46 +20,6 @@
 #include "texture_space.h"
 
 namespace renderer::passes {
-namespace {
-
-constexpr std::array<std::pair<Shader, std::string_view>, 4> names{{{Shader::no_sss, "no_sss"},
-                                                                    {Shader::ts, "ts"},
-                                                                    {Shader::ss_jittered, "ss_jittered"},
-                                                                    {Shader::ss_full, "ss_full"}}};
-
-int driver_limit(GLenum name) {
-    GLint limit = 0;
-    glGetIntegerv(name, &limit);
-    return limit;
-}
-
-void require_limit(const char* what, int wanted, GLenum name) {
-    const int limit = driver_limit(name);
-    if (wanted > limit) {
-        throw support::input_error("{}: expected at most {}, which this OpenGL driver allows, found {}", what,
-                                   limit, wanted);
-    }
-}
-
-} // namespace
-
-std::string_view shader_name(Shader shader) {
-    for (const auto& [value, name] : names) {
-        if (value == shader) {
-            return name;
-        }
-    }
-    return {};
-}
-
-std::optional<Shader> shader_of(std::string_view wanted) {
-    for (const auto& [value, name] : names) {
-        if (name == wanted) {
-            return value;
-        }
-    }
-    return std::nullopt;
-}
 
 struct Pipeline::State {
     const scene::Model& source;
@@ -248,9 +207,8 @@ struct Pipeline::State {
         const gl::Texture& narrowest =
             methods.ts.unblurred_first ? frame.diffuse : narrowest_gaussian(frame, camera);
         const gl::Texture* result = nullptr;
-        timed("ts gather", [&] {
-            result = &texture_space->gather(model, view, frame, narrowest, model.seen_by(camera));
-        });
+        timed("ts gather",
+              [&] { result = &texture_space->gather(model, view, frame, narrowest, model.seen_by(camera)); });
         return *result;
     }
 

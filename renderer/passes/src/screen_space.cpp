@@ -233,10 +233,12 @@ const gl::Texture& ScreenSpace::narrowest(const LitFrame& lit, const scene::Came
         narrowest_ = make_blur(method, 1);
     }
     surfaces_found_ += surface(method.foreshortening, method.stretch)
-                           .find(lit.depth_mm, lit.depth_number, geometry(lit, camera)) ? 1 : 0;
+                               .find(lit.depth_mm, lit.depth_number, geometry(lit, camera))
+                           ? 1
+                           : 0;
     narrowest_->begin(lit.diffuse);
     narrowest_->blur(sigma_mm, sigma_mm * camera.focal_px() / lit.nearest_mm, glm::vec3(1),
-                          before_mm > lit.farthest_mm ? 0 : before_mm);
+                     before_mm > lit.farthest_mm ? 0 : before_mm);
     narrowest_light_ = &narrowest_->blurred();
     return *narrowest_light_;
 }

@@ -130,8 +130,9 @@ gl::Texture& TextureSpace::scattered(Skin& skin, int size) const {
         --levels;
     }
     const auto found = skin.scattered.find(size);
-    return found != skin.scattered.end() ? found->second
-                                         : skin.scattered.emplace(size, light_map(size, levels)).first->second;
+    return found != skin.scattered.end()
+               ? found->second
+               : skin.scattered.emplace(size, light_map(size, levels)).first->second;
 }
 
 /// The side of the coarsest map that has texels_a_pixel texels to a pixel where the skin is nearest: the size

@@ -58,10 +58,10 @@ private:
     struct Skin {
         std::size_t material = 0;
         UvLayout layout;
-        std::size_t alike = 0;                             ///< the first skin that lies alike in its map
-        std::map<int, UvMaps> maps;         ///< by size; of the first alone
+        std::size_t alike = 0;                ///< the first skin that lies alike in its map
+        std::map<int, UvMaps> maps;           ///< by size; of the first alone
         std::map<int, gl::Texture> scattered; ///< by size; the weighted sum of the Gaussians
-        int size = 0;                       ///< of the map lit last; 0: none
+        int size = 0;                         ///< of the map lit last; 0: none
     };
     void add_skin(const GpuModel& model, std::size_t material);
     const UvMaps& maps(const GpuModel& model, const Skin& skin, int size);
