@@ -219,10 +219,10 @@ TEST(FramesTest, tableHasTheColumnsOfTheFormat) {
 TEST(FramesTest, findingsHoldFiguresAgainstTargets) {
     FramesResult result;
     result.rows = {row({"table3", "heads", "1"}, "ss_full", 4, 20, 1.13),
-                   row({"table3", "heads", "3"}, "ss_full", 4, 20, 1.84),
-                   row({"table7_2", "distance", "far"}, "no_sss", 1, 100, 3)};
+                   row({"table3", "heads", "3"}, "ss_full", 4, 20, 1.84)};
     result.effects = {effect("one_head_far", 16, 10), effect("one_head_medium", 10, 1000),
                       effect("five_heads_medium", 40, 4500)};
+    result.effects.front().scattering_share = 0.16;
     result.empty_over_clear = 1.01;
     result.rows.push_back(row({"table7_2", "distance", "medium"}, "ss_full", 1, 50, 3));
     result.rows.push_back(row({"table7_2", "distance", "medium"}, "ts", 1, 49, 3));
@@ -254,6 +254,8 @@ TEST(FramesTest, refusesFramesThatAreNotSound) {
     EXPECT_THROW(measure::check_same(frame(0, 0), frame(0, 0), false, "scene"), support::Failure);
     EXPECT_THROW(measure::check_same(frame(1, 1), frame(1, 1), true, "scene"), support::Failure);
     EXPECT_THROW(measure::check_same(frame(NAN, 1), frame(NAN, 1), false, "scene"), support::Failure);
+    EXPECT_NO_THROW(measure::check_hidden(frame(1, 1), frame(1, 1), "scene"));
+    EXPECT_THROW(measure::check_hidden(frame(1, 1), frame(0.5f, 1), "scene"), support::Failure);
     EXPECT_EQ(measure::covered_pixels(frame(1, 0.25f)), 1);
 }
 
@@ -280,6 +282,8 @@ TEST(FramesTest, timesSmallScenes) {
             EXPECT_TRUE(one.node_ms.contains(node)) << node;
         }
         EXPECT_GT(one.skin_pixels, 0);
+        EXPECT_GT(one.scattering_share, 0);
+        EXPECT_LT(one.scattering_share, 10);
         EXPECT_GT(one.blur_share_of_copy, 0);
     }
     EXPECT_GT(result.empty_over_clear, 0);

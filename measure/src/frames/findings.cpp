@@ -64,10 +64,9 @@ void add_culled(const FramesResult& result, std::vector<std::string>& findings) 
 }
 
 void add_far(const FramesResult& result, std::vector<std::string>& findings) {
-    const FrameRow* none = find(result, {"table7_2", "distance", "far"}, "no_sss", 1);
     const EffectRow* effects = find_effects(result, "one_head_far");
-    if (none != nullptr && effects != nullptr) {
-        const double share = scattering_ms(*effects) / none->time_ms;
+    if (effects != nullptr) {
+        const double share = effects->scattering_share;
         findings.push_back(
             fmt::format("far: all of the scattering is to cost at most {:.0f} % of the frame without "
                         "it; found {:.1f} %: {}",

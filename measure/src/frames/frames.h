@@ -34,12 +34,13 @@ struct FrameRow {
     long long skin_pixels = 0;
 };
 
-/// What one of several effects costs, with the scene's node ss_full as the scattering.
+/// What one of several effects costs, with the scattering by the name of its shader, ss_full.
 struct EffectRow {
     FramePlace place;
     std::map<std::string, double> node_ms, node_spread_ms; ///< medians, median absolute deviations
     long long skin_pixels = 0;
     std::map<std::string, long long> counts; ///< of the frame
+    double scattering_share = 0; ///< of the frame without scattering and lens; median over the rounds
     double blur_bytes = 0, blur_share_of_copy = 0;
 };
 

@@ -206,12 +206,17 @@ private:
     /// Each setting's frame is sound, and the same twice; this meets all set-up and compilation, too.
     void check_scene(Timed& timed) {
         const scene::Light light = stimuli::light(timed.protocol, azimuth_deg);
+        std::optional<scene::Frame> without; // scattering
         for (std::size_t i = 0; i < timed.settings.size(); ++i) {
             const FrameSetting& setting = timed.settings[i];
             passes::Pipeline& used = pipeline(timed, i);
             const scene::Frame first = used.render(setting.shader, timed.camera, light, true);
             const scene::Frame second = used.render(setting.shader, timed.camera, light, true);
             check_same(first, second, timed.scene.outside, name_of(timed, setting));
+            if (timed.scene.hidden) {
+                without = without ? without : first;
+                check_hidden(*without, first, name_of(timed, setting));
+            }
             timed.skin_pixels = timed.scene.hidden ? 0 : covered_without_lens(timed, setting);
             timed.counts = first.counts;
         }
@@ -261,10 +266,15 @@ private:
         const passes::Costs before = used.costs();
         timed.frame_ms[at].push_back(gl_time_ms([&] { used.draw(setting.shader, camera, light); }));
         if (setting.time_nodes) {
+            std::map<std::string, double> node_ms;
             for (const auto& [node, cost] : used.costs()) {
                 const auto earlier = before.find(node);
                 const double seconds = cost.seconds - (earlier == before.end() ? 0 : earlier->second.seconds);
-                timed.node_ms[at][node].push_back(1000 * seconds);
+                // All of the scattering goes by the shader's name.
+                node_ms[node == "narrowest Gaussian" ? "ss_full" : node] += 1000 * seconds;
+            }
+            for (const auto& [node, ms] : node_ms) {
+                timed.node_ms[at][node].push_back(ms);
             }
         }
     }
@@ -284,6 +294,18 @@ private:
         }
     }
 
+    static double scattering_share(const Timed& timed) {
+        const auto& nodes = timed.node_ms.front();
+        const auto scattering = nodes.find("ss_full"), lens = nodes.find("depth of field");
+        std::vector<double> shares;
+        for (std::size_t round = 0; scattering != nodes.end() && round < scattering->second.size(); ++round) {
+            const double lens_ms = lens == nodes.end() ? 0 : lens->second[round];
+            const double rest_ms = timed.frame_ms.front()[round] - scattering->second[round] - lens_ms;
+            shares.push_back(scattering->second[round] / rest_ms);
+        }
+        return shares.empty() ? 0 : median(shares);
+    }
+
     void report(const Timed& timed) {
         if (timed.scene.effects) {
             EffectRow row;
@@ -294,6 +316,7 @@ private:
                 row.node_ms[node] = median(ms);
                 row.node_spread_ms[node] = median_deviation(ms);
             }
+            row.scattering_share = scattering_share(timed);
             row.blur_bytes = blur_bytes(timed.counts, timed.skin_pixels, result_.texel_bytes);
             result_.effects.push_back(row);
             return;

@@ -29,6 +29,13 @@ void check_same(const scene::Frame& first, const scene::Frame& second, bool empt
     }
 }
 
+void check_hidden(const scene::Frame& first, const scene::Frame& other, const std::string& name) {
+    if (first.linear != other.linear) {
+        throw support::failure(
+            "{}: expected all heads to be hidden, found a frame that another shader changes", name);
+    }
+}
+
 long long covered_pixels(const scene::Frame& frame) {
     long long pixels = 0;
     for (std::size_t i = 3; i < frame.linear.size(); i += 4) {

@@ -14,6 +14,10 @@ namespace measure {
 void check_same(const renderer::scene::Frame& first, const renderer::scene::Frame& second, bool empty,
                 const std::string& name);
 
+/// Refuse two frames that differ, as the scene hides what sets them apart. Throws support::Failure.
+void check_hidden(const renderer::scene::Frame& first, const renderer::scene::Frame& other,
+                  const std::string& name);
+
 /// Pixels that show something of the model.
 long long covered_pixels(const renderer::scene::Frame& frame);
 
