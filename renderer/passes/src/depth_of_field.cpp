@@ -21,6 +21,7 @@ DepthOfField::DepthOfField(int width, int height, const Look& look)
       program_(load_screen_program("depth_of_field.frag")), blurred_(light_format(), width, height),
       target_({&blurred_}) {
     blurred_.filter(GL_LINEAR, GL_LINEAR); // the bloom halves it
+    rect_ = {0, 0, width, height};         // new memory may hold anything
 }
 
 const gl::Texture& DepthOfField::blur(const gl::Texture& color, const LitFrame& lit,
@@ -40,6 +41,7 @@ const gl::Texture& DepthOfField::blur(const gl::Texture& color, const LitFrame& 
     const PixelRect rect{left, bottom, std::min(lit.rect.x + lit.rect.width + reach, camera.width) - left,
                          std::min(lit.rect.y + lit.rect.height + reach, camera.height) - bottom};
     if (rect != rect_) { // what was drawn outside
+        begin_rect(target_, united(rect_, rect));
         target_.clear_color(0, glm::vec4(0));
         rect_ = rect;
     }

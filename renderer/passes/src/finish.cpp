@@ -25,13 +25,14 @@ Finish::Finish(int width, int height, const Look& look)
     color_.filter(GL_LINEAR, GL_LINEAR);
     half_.filter(GL_LINEAR, GL_LINEAR);
     half_blurred_.filter(GL_LINEAR, GL_LINEAR);
+    rect_ = {0, 0, width, height}; // new memory may hold anything
+    half_rect_ = {0, 0, half_.width(), half_.height()};
 }
 
 void Finish::composite(const gl::Texture& scattered, const LitFrame& lit) {
     if (lit.rect != rect_) { // what was drawn outside
+        begin_rect(color_target_, united(rect_, lit.rect));
         color_target_.clear_color(0, glm::vec4(0));
-        half_target_.clear_color(0, glm::vec4(0));
-        half_blurred_target_.clear_color(0, glm::vec4(0));
         rect_ = lit.rect;
     }
     begin_rect(color_target_, rect_);
@@ -47,13 +48,8 @@ void Finish::composite(const gl::Texture& scattered, const LitFrame& lit) {
 }
 
 void Finish::depth_of_field(const LitFrame& lit, const scene::Camera& camera) {
-    const PixelRect before = depth_of_field_->rect();
     image_ = &depth_of_field_->blur(color_, lit, camera);
     shown_ = depth_of_field_->rect();
-    if (shown_ != before) { // what the bloom left outside
-        half_target_.clear_color(0, glm::vec4(0));
-        half_blurred_target_.clear_color(0, glm::vec4(0));
-    }
 }
 
 /// What the bloom reaches, at half the resolution.
@@ -67,6 +63,13 @@ PixelRect Finish::bloom_rect() const {
 
 void Finish::bloom() {
     const PixelRect rect = bloom_rect();
+    if (rect != half_rect_) { // what was drawn outside
+        for (const gl::Framebuffer* target : {&half_target_, &half_blurred_target_}) {
+            begin_rect(*target, united(half_rect_, rect));
+            target->clear_color(0, glm::vec4(0));
+        }
+        half_rect_ = rect;
+    }
     begin_rect(half_target_, rect);
     halve_.use();
     image_->bind(0);

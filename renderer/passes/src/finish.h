@@ -34,9 +34,10 @@ private:
     PixelRect bloom_rect() const;
 
     Look look_;
-    glm::vec3 level_{1}; ///< of the light in the frame that was composed last
-    PixelRect rect_;     ///< nothing of it outside
-    PixelRect shown_;    ///< what of it the lens spreads the light over; `rect_` where all is sharp
+    glm::vec3 level_{1};  ///< of the light in the frame that was composed last
+    PixelRect rect_;      ///< nothing of it outside
+    PixelRect half_rect_; ///< nothing of the bloom outside
+    PixelRect shown_;     ///< what of it the lens spreads the light over; `rect_` where all is sharp
     std::unique_ptr<DepthOfField> depth_of_field_;
     const gl::Texture* image_; ///< `color_`, or what the lens makes of it
     gl::Program composite_, halve_, bloom_, output_;

@@ -33,7 +33,8 @@ GLenum light_format() { return gl::runs_on_cpu() ? GL_RGBA32F : GL_RGBA16F; }
 
 LitFrame::LitFrame(int width, int height)
     : diffuse(light_format(), width, height), after_scattering(light_format(), width, height),
-      specular(light_format(), width, height), depth_mm(GL_R32F, width, height), rect{}, skin{} {
+      specular(light_format(), width, height),
+      depth_mm(GL_R32F, width, height), rect{0, 0, width, height}, skin{} {
     // Kernels that reach over the screen's edge see its mirror image.
     diffuse.filter(GL_LINEAR, GL_LINEAR, GL_MIRRORED_REPEAT);
 }
@@ -108,16 +109,19 @@ LitPass::LitPass(int width, int height, int samples)
               samples > 1 ? nullptr : &depth_) {}
 
 /// Clear what an earlier frame left, or new memory holds, outside of the rectangle to be drawn.
-void LitPass::clear_outside() {
+void LitPass::clear_outside(const PixelRect& rect) {
+    if (rect == frame_.rect) {
+        return;
+    }
+    begin_rect(target_, united(frame_.rect, rect));
     for (int attachment = 0; attachment < 4; ++attachment) {
         target_.clear_color(attachment, glm::vec4(0));
     }
+    end_rect();
 }
 
 void LitPass::resolve(const PixelRect& rect) {
-    if (rect != frame_.rect) {
-        clear_outside();
-    }
+    clear_outside(rect);
     begin_rect(target_, rect);
     samples_->resolve.use();
     samples_->diffuse.bind(0);
@@ -133,8 +137,8 @@ const LitFrame& LitPass::render(const GpuModel& model, const GpuModel::View& vie
                                 const Switches& switches) {
     // Light every sample.
     const gl::Framebuffer& target = samples_ ? samples_->target : target_;
-    if (!samples_ && view.rect != frame_.rect) {
-        clear_outside();
+    if (!samples_) {
+        clear_outside(view.rect);
     }
     begin_rect(target, view.rect);
     if (samples_) {

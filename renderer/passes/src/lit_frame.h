@@ -73,7 +73,7 @@ private:
         gl::Texture diffuse, rest;
         gl::Framebuffer target;
     };
-    void clear_outside();
+    void clear_outside(const PixelRect& rect);
     void resolve(const PixelRect& rect);
 
     int sample_count_;

@@ -104,14 +104,10 @@ void ScreenBlur::clear_blurred() {
 void ScreenBlur::begin(const gl::Texture& unblurred, bool has_depth) {
     // Where there is no skin nothing is drawn, and the matte has to be 0: in the rectangle, and beside it,
     // where taps reach and an earlier frame may have had skin.
-    if (surface_.geometry().rect == rect_) {
-        begin_rect(half_target_, rect_);
-        clear_blurred();
-        end_rect();
-    } else {
-        clear_blurred();
-        rect_ = surface_.geometry().rect;
-    }
+    begin_rect(half_target_, united(rect_, surface_.geometry().rect));
+    clear_blurred();
+    end_rect();
+    rect_ = surface_.geometry().rect;
     unblurred_ = source_ = &unblurred;
     unblurred_has_depth_ = has_depth;
     next_ = 0;

@@ -44,9 +44,10 @@ PixelRect half_of(const PixelRect& rect) {
 
 ScreenSpace::Half::Half(int width, int height, const FullMethod& method, std::size_t gaussians,
                         bool early_test)
-    : halve(load_screen_program("halve_skin.frag")), enlarge(load_screen_program("enlarge_skin.frag")),
-      source(blur_format(method), width, height), depth_mm(GL_R32F, width, height),
-      target({&source, &depth_mm}), surface(width, height, method.foreshortening, method.stretch),
+    : rect{0, 0, width, height}, halve(load_screen_program("halve_skin.frag")),
+      enlarge(load_screen_program("enlarge_skin.frag")), source(blur_format(method), width, height),
+      depth_mm(GL_R32F, width, height), target({&source, &depth_mm}),
+      surface(width, height, method.foreshortening, method.stretch),
       blur(surface, width, height, method, gaussians, early_test) {}
 
 ScreenSpace::Jittered::Jittered(const ScreenSurface& its_surface, int width, int height,
@@ -167,8 +168,10 @@ void ScreenSpace::begin_half(const gl::Texture& source, const LitFrame& lit, con
     half_->halve.use();
     source.bind(0);
     lit.depth_mm.bind(1);
+    begin_rect(half_->target, united(half_->rect, half.rect));
     half_->target.clear_color(0, glm::vec4(0));
     half_->target.clear_color(1, glm::vec4(0));
+    half_->rect = half.rect;
     glEnable(GL_FRAMEBUFFER_SRGB); // of effect on 8-bit targets alone
     begin_rect(half_->target, half.rect);
     draw_screen();

@@ -47,6 +47,7 @@ private:
     /// Surface and blurs at half the resolution, for wide Gaussians.
     struct Half {
         Half(int width, int height, const FullMethod& method, std::size_t gaussians, bool early_test);
+        PixelRect rect; ///< nothing but 0 outside of it
         gl::Program halve, enlarge;
         gl::Texture source, depth_mm;
         gl::Framebuffer target;
