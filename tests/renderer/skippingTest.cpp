@@ -387,7 +387,7 @@ TEST_F(SkippingTest, gaussiansVanishWithoutAPop) {
 
 // Targets hold what earlier frames left, and taps reach beyond the pixels that a frame draws.
 TEST_F(SkippingTest, whatAnEarlierFrameShowedLeavesNoTrace) {
-    const scene::Model model = crowd();
+    const scene::Model models[] = {crowd(), scenes::plane(40)}; // the square fills its rectangle
     std::vector<passes::Methods> ways(5, methods());
     ways[0].full = passes::published_full();
     ways[1].full.reject_gaps = false;
@@ -396,18 +396,26 @@ TEST_F(SkippingTest, whatAnEarlierFrameShowedLeavesNoTrace) {
     ways[4].full.accumulation = passes::Accumulation::weighted_sum;
     ways[4].full.reject_gaps = false;
     scene::Camera before = scenes::camera(300, 320, 240);
-    scene::Camera after = scenes::camera(700, 320, 240);
     before.target_mm.x += 10;
-    for (std::size_t i = 0; i < ways.size(); ++i) {
+    long long at_half = 0;
+    for (std::size_t i = 0; i < 2 * ways.size(); ++i) {
+        const scene::Model& model = models[i / ways.size()];
+        const passes::Methods& way = ways[i % ways.size()];
         for (const Shader shader : {Shader::ts, Shader::ss_full}) {
-            passes::Pipeline used(model, look(), ways[i]);
-            used.draw(shader, before, two_lights());
-            const passes::Frame again = used.render(shader, after, two_lights(), true);
-            passes::Pipeline fresh(model, look(), ways[i]);
-            const passes::Frame first = fresh.render(shader, after, two_lights(), true);
-            EXPECT_EQ(again.linear, first.linear) << i << ' ' << passes::shader_name(shader);
+            passes::Pipeline used(model, look(), way);
+            for (const float distance_mm : {450.0f, 700.0f}) { // from 300, smaller and smaller on the screen
+                const scene::Camera after = scenes::camera(distance_mm, 320, 240);
+                used.draw(shader, before, two_lights());
+                const passes::Frame again = used.render(shader, after, two_lights(), true);
+                passes::Pipeline fresh(model, look(), way);
+                const passes::Frame first = fresh.render(shader, after, two_lights(), true);
+                EXPECT_EQ(again.linear, first.linear)
+                    << i << ' ' << passes::shader_name(shader) << ' ' << distance_mm;
+                at_half += count(first, "gaussians at half resolution");
+            }
         }
     }
+    EXPECT_GT(at_half, 0);
 }
 
 // 8-bit targets store signals, not light, also where a Gaussian is seen on some of the skin alone.

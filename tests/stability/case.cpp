@@ -22,6 +22,9 @@ void transform(Case& given, const Place& place, const Direction& direction) {
     given.camera.eye_mm = place(given.camera.eye_mm);
     given.camera.target_mm = place(given.camera.target_mm);
     given.light.direction = direction(given.light.direction);
+    for (renderer::scene::Beam& beam : given.light.further) {
+        beam.direction = direction(beam.direction);
+    }
 }
 
 } // namespace
@@ -75,6 +78,9 @@ Case brightened(Case given, double factor) {
     const auto f = static_cast<float>(factor);
     given.light.irradiance *= f;
     given.light.ambient_irradiance *= f;
+    for (renderer::scene::Beam& beam : given.light.further) {
+        beam.irradiance *= f;
+    }
     given.look.background *= f;
     given.look.exposure /= f;
     return given;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <numbers>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -98,6 +99,19 @@ passes::Methods random_methods(Generator& random) {
     full.target_bits = one_of(random, {0, 16, 32});
     full.half_resolution = chance(random, 0.3);
     return methods;
+}
+
+/// Up to two further lights, and maps of texture space sized and lit by what is seen. From a generator of its
+/// own, so that configurations found earlier stay what they were.
+void add_more(Case& given, std::string_view kind, std::uint64_t index, double dimmest, double brightest) {
+    Generator random(fmt::format("stability, {}, more", kind), index);
+    for (std::uint64_t i = random.below(3); i > 0; --i) {
+        const glm::vec3 color = random_color(random, dimmest, brightest);
+        given.light.further.push_back({random_direction(random), chance(random, 0.1) ? glm::vec3(0) : color});
+    }
+    given.methods.ts.culled = chance(random, 0.4);
+    given.name += fmt::format("; {} further lights{}", given.light.further.size(),
+                              given.methods.ts.culled ? ", ts culled" : "");
 }
 
 scene::Model hostile_model(Generator& random, float scale, std::string& words) {
@@ -205,6 +219,7 @@ Case hostile(std::uint64_t index) {
                               camera.height, camera.fov_rad, camera.eye_mm.x, camera.eye_mm.y,
                               camera.eye_mm.z, camera.target_mm.x, camera.target_mm.y, camera.target_mm.z);
     given.name += words(given.methods);
+    add_more(given, "hostile", index, 1e-6, 1e6);
     if (chance(random, 0.2)) {
         given.name += "; 10 km away";
         return moved(given, glm::dvec3(random_direction(random)) * 1e7);
@@ -246,6 +261,7 @@ Case ordinary(std::uint64_t index) {
     given.light.shadow_map_size = 128;
     given.light.shadow_softness_mm = one_of(random, {0.0f, 1.0f, 4.0f});
     given.name += words(given.methods);
+    add_more(given, "ordinary", index, 0.1, 1);
     return given;
 }
 
@@ -285,21 +301,26 @@ Case even(std::uint64_t index) {
                              index, 100 * scale, name(damage), distance_mm, given.camera.fov_rad,
                              given.camera.width, given.camera.height);
     given.name += words(given.methods);
+    add_more(given, "even", index, 1e-6, 1e6);
     return given;
 }
 
 glm::vec3 even_light(const Case& given) {
     // Lambert's law on a plane that faces +Z; half of what comes from above reaches a vertical surface.
-    const glm::dvec3 irradiance =
-        glm::dvec3(given.light.irradiance) * std::max(0.0, static_cast<double>(given.light.direction.z)) +
-        0.5 * glm::dvec3(given.light.ambient_irradiance);
+    glm::dvec3 irradiance = 0.5 * glm::dvec3(given.light.ambient_irradiance);
+    for (const scene::Beam& beam : given.light.beams()) {
+        irradiance += glm::dvec3(beam.irradiance) * std::max(0.0, static_cast<double>(beam.direction.z));
+    }
     return glm::vec3(irradiance * glm::dvec3(given.model.materials[0].base_color_factor) / pi *
                      static_cast<double>(given.look.exposure));
 }
 
 glm::vec3 white_level(const Case& given) {
-    return (given.light.irradiance + given.light.ambient_irradiance) *
-           (given.look.exposure / static_cast<float>(pi));
+    glm::vec3 irradiance = given.light.ambient_irradiance;
+    for (const scene::Beam& beam : given.light.beams()) {
+        irradiance += beam.irradiance;
+    }
+    return irradiance * (given.look.exposure / static_cast<float>(pi));
 }
 
 Case patch(std::uint64_t index) {

@@ -14,7 +14,7 @@ namespace stability {
 
 /// Anything that the interfaces allow, however unlikely: damaged models of 0.1 mm to 100 m, some 10 km away,
 /// seen from inside or from 100 m, in light of 1e-6 to 1e6, with kernels up to a metre wide and images of one
-/// pixel.
+/// pixel. Up to three lights.
 Case hostile(std::uint64_t index);
 
 /// What studies render, in small: an object of 10 cm, well in view, lit to about white, with settings that

@@ -19,9 +19,7 @@ ScreenSurface::ScreenSurface(int width, int height, Foreshortening foreshortenin
           "screen_surface.frag",
           {{"PUBLISHED_FORESHORTENING", foreshortening == Foreshortening::published ? 1 : 0}})),
       shapes_(GL_RGBA32F, width, height), planes_(GL_RGBA32F, width, height),
-      depth_buffer_(GL_DEPTH_COMPONENT32F, width, height), target_({&shapes_, &planes_}, &depth_buffer_) {
-    geometry_.rect = {0, 0, width, height}; // new memory may hold anything
-}
+      depth_buffer_(GL_DEPTH_COMPONENT32F, width, height), target_({&shapes_, &planes_}, &depth_buffer_) {}
 
 float ScreenSurface::kernel_px_mm() const {
     return stretch_.alpha ? *stretch_.alpha * published_depth_unit_mm * geometry_.scale : geometry_.focal_px;
@@ -36,13 +34,6 @@ bool ScreenSurface::find(const gl::Texture& depth_mm, std::uint64_t number, cons
         return false;
     }
     number_ = number;
-    if (geometry_.rect != geometry.rect) {
-        begin_rect(target_, united(geometry_.rect, geometry.rect));
-        target_.clear_color(0, glm::vec4(0));
-        target_.clear_color(1, glm::vec4(0));
-        target_.clear_depth(0);
-        end_rect();
-    }
     geometry_ = geometry;
     depth_mm_ = &depth_mm;
     // Physically, a width at depth d covers focal_px / d pixels, and a surface tilted by dz/dx is
