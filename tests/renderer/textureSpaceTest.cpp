@@ -258,3 +258,36 @@ TEST_F(TextureSpaceTest, theCulledFormNeedsCoordinatesWithAnAreaToo) {
         EXPECT_NO_THROW(pipeline.render(Shader::ss_full, camera, scenes::frontal_light()));
     }
 }
+
+// Triangles whose texture coordinates fall together have no texel; they keep their light, in all forms.
+TEST_F(TextureSpaceTest, skinWithoutAPlaceInTheMapKeepsItsLight) {
+    scene::Model model = scenes::plane(30);
+    for (scene::Vertex& vertex : model.meshes[0].vertices) {
+        vertex.position_mm.x -= 20;
+        vertex.uv *= 0.4f;
+    }
+    scene::Mesh placeless = scenes::plane(30).meshes[0];
+    for (scene::Vertex& vertex : placeless.vertices) {
+        vertex.position_mm.x += 20;
+        vertex.uv = {0.9f, 0.9f};
+    }
+    model.meshes.push_back(placeless);
+    const scene::Camera camera = scenes::camera(300, 120, 60);
+    passes::Look look = scenes::diffuse_look();
+    look.profile = renderer::optics::profile("skin_6g_deon2007");
+    for (const bool culled : {false, true}) {
+        for (const bool unblurred_first : {false, true}) {
+            passes::Methods how = methods(culled, 64);
+            how.ts.unblurred_first = unblurred_first;
+            passes::Pipeline pipeline(model, look, how);
+            const Frame frame = pipeline.render(Shader::ts, camera, scenes::frontal_light(), true);
+            for (const int x : {48, 72}) { // on the square with a map, on that without
+                const glm::vec4 found = scenes::value(frame, x, 30);
+                EXPECT_EQ(found.a, 1) << x;
+                for (glm::length_t c = 0; c < 3; ++c) {
+                    EXPECT_NEAR(found[c], 1, 1.0f / 1024) << culled << unblurred_first << ' ' << x;
+                }
+            }
+        }
+    }
+}

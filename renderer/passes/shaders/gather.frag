@@ -7,7 +7,7 @@
 #include "surface.glsl"
 
 layout(binding = 0) uniform sampler2D scattered_map; // the weighted sum of the Gaussians that are blurred in maps
-layout(binding = 1) uniform sampler2D lit_map;       // the lit frame
+layout(binding = 6) uniform sampler2D lit_map;       // the lit frame; units 0 to 2 are the material's
 uniform vec3 weight_in_maps; // of those Gaussians together
 uniform bool is_skin;
 uniform vec2 uv_origin;

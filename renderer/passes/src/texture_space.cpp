@@ -272,7 +272,7 @@ const gl::Texture& TextureSpace::gather(const GpuModel& model, const GpuModel::V
     gather_.use();
     set_camera(gather_, camera, model.bounds());
     gather_.set("weight_in_maps", std::accumulate(weights_.begin(), weights_.end(), glm::vec3(0)));
-    lit.diffuse.bind(1);
+    lit.diffuse.bind(6);
     draw_gathered(model, view);
     end_rect();
     const gl::Texture* gathered = &gathered_samples_;
