@@ -38,6 +38,19 @@ constexpr std::array<Lump, 18> lumps{{
     {{49, -82, 12}, {16, 16, 22}, 2.0F},      // angle of the jaw
 }};
 
+/// What fifty years, from 20 to 70, add.
+constexpr std::array<Lump, 9> ageing{{
+    {{32, -15, 82}, {13, 4.5F, 16}, 1.5F},   // bags below the eyes
+    {{33, -22, 80}, {17, 3.5F, 18}, -1.3F},  // and the groove below them
+    {{38, 8, 80}, {16, 5, 18}, 1.2F},        // skin that hangs over the lid
+    {{60, 22, 48}, {16, 18, 24}, -2.0F},     // temples
+    {{52, -50, 56}, {15, 15, 24}, -2.2F},    // hollow cheeks
+    {{33, -97, 66}, {12, 11, 18}, 2.6F},     // jowls
+    {{24, -92, 78}, {5, 10, 14}, -1.2F},     // before them
+    {{0, -118, 55}, {18, 14, 26}, 1.8F},     // below the chin
+    {{0, -64, 98}, {20, 8, 18}, -1.0F},      // thinner upper lip
+}};
+
 float lump_height(const Lump& lump, glm::vec3 p) {
     const glm::vec3 rel = (p - lump.centre) / lump.spread;
     const float distance = glm::dot(rel, rel);
@@ -110,20 +123,20 @@ float add_mouth(float skin, glm::vec3 p) {
 }
 
 /// The fold from the nose's wing to beside the mouth: a rounded step from the cheek down to the lip.
-float add_nasolabial_fold(float skin, glm::vec3 p) {
+float add_nasolabial_fold(const Person& person, float skin, glm::vec3 p) {
     if (p.z < 50 || p.y > -30 || p.y < -90) {
         return skin;
     }
     const float t = std::clamp((-40 - p.y) / 38, -0.2F, 1.2F);
     const float outside = p.x - (19.5F + 13.5F * t - 1.5F * arch(t));
     const float present = smooth_step(-0.15F, 0.2F, t) * smooth_step(1.1F, 0.45F, t);
-    return skin - present * (0.9F * smooth_step(-5, 5, outside) * smooth_step(17, 5, outside) -
+    return skin - (0.55F + 0.9F * std::max(person.age, 0.0F)) * present * (0.9F * smooth_step(-5, 5, outside) * smooth_step(17, 5, outside) -
                              0.5F * bell(outside + 1, 2.6F));
 }
 
 } // namespace
 
-float add_face(float skull, glm::vec3 p) {
+float add_face(const Person& person, float skull, glm::vec3 p) {
     if (skull > 45 || skull < -30) {
         return skull;
     }
@@ -131,7 +144,10 @@ float add_face(float skull, glm::vec3 p) {
     for (const Lump& lump : lumps) {
         skin -= lump_height(lump, p);
     }
-    skin = add_nasolabial_fold(skin, p);
+    for (const Lump& lump : ageing) {
+        skin -= std::max(person.age, 0.0F) * lump_height(lump, p);
+    }
+    skin = add_nasolabial_fold(person, skin, p);
     skin = add_mouth(skin, p);
     skin = add_eye(skin, p);
     return add_nose(skin, p);

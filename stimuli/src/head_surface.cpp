@@ -99,11 +99,11 @@ std::vector<float> column_azimuths() {
 }
 
 /// The outermost place on a ray where the field changes its sign.
-glm::vec3 outermost_skin(glm::vec3 start, glm::vec3 direction) {
+glm::vec3 outermost_skin(const Person& person, glm::vec3 start, glm::vec3 direction) {
     // Walk in from outside in steps that cannot leap over a thin part, then halve the last step.
     float outside = 260, inside = 0;
     for (float at = outside; at > 0;) {
-        const float distance = field(start + direction * at);
+        const float distance = field(person, start + direction * at);
         if (distance < 0) {
             inside = at;
             break;
@@ -113,7 +113,7 @@ glm::vec3 outermost_skin(glm::vec3 start, glm::vec3 direction) {
     }
     for (int i = 0; i < 16; ++i) {
         const float middle = 0.5F * (inside + outside);
-        (field(start + direction * middle) < 0 ? inside : outside) = middle;
+        (field(person, start + direction * middle) < 0 ? inside : outside) = middle;
     }
     return start + direction * (0.5F * (inside + outside));
 }
@@ -160,7 +160,7 @@ void add_triangles(Mesh& mesh, const Surface& surface) {
 
 } // namespace
 
-Surface head_surface() {
+Surface head_surface(const Person& person) {
     Surface surface{columns, rows, {}};
     std::vector<bool> on_ear(static_cast<std::size_t>((columns + 1) * (rows + 1)), false);
     const std::vector<float> azimuths = column_azimuths();
@@ -179,7 +179,7 @@ Surface head_surface() {
             const glm::vec3 direction = pole ? glm::vec3(0, j == 0 ? 1 : -1, 0)
                                              : glm::vec3(std::cos(rise) * std::sin(azimuth), std::sin(rise),
                                                          std::cos(rise) * std::cos(azimuth));
-            const glm::vec3 skin = outermost_skin(start, direction), place = add_ear(skin);
+            const glm::vec3 skin = outermost_skin(person, start, direction), place = add_ear(skin);
             on_ear[surface.place_mm.size()] = place != skin;
             surface.place_mm.push_back(place);
         }

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#pragma once
+
+#include <vector>
+
+#include <glm/glm.hpp>
+
+namespace stimuli::head {
+
+/// What colours skin.
+struct Pigment {
+    float melanin = 0; ///< share of the epidermis that is melanosomes
+    float blood = 0;   ///< share of the dermis that is blood
+};
+
+constexpr float most_melanin = 0.5F, most_blood = 0.16F;
+
+/// Diffuse reflectance of skin as linear Rec. 709 under D65: an epidermis that absorbs by its melanin over a dermis
+/// that absorbs by its blood. Absorption and scattering spectra are those of Donner and Jensen's model
+/// [DonnerJensen2006]; the dermis reflects as the dipole says [Jensen2001].
+glm::vec3 skin_colour_exact(const Pigment& pigment);
+
+/// The same, from a table, to a 1/500.
+class SkinColours {
+public:
+    SkinColours();
+    glm::vec3 operator()(const Pigment& pigment) const;
+
+private:
+    std::vector<glm::vec3> table_;
+};
+
+} // namespace stimuli::head
