@@ -70,16 +70,17 @@ void add_pores(std::vector<float>& height_mm, const Person& person, const Atlas&
 float relief_mm(const Person& person, const Noise& noise, const Hairs& hairs, glm::vec3 place, float texel_mm) {
     const glm::vec3 p = person.fold(place);
     const float lips = on_lips(p);
-    const float face = (0.6F + 0.4F * smooth_step(20, 60, p.z)) * (1 - 0.6F * lips);
+    const float face = (0.6F + 0.4F * smooth_step(20, 60, p.z)) * (1 - 0.6F * lips) *
+                       (1 - 0.6F * std::exp(-square((p.x - 31) / 15) - square((p.y + 1) / 8)));
 
     // Skin is uneven at all sizes, and fine furrows, drawn out along its lines of tension, cut it into small fields.
     float uneven = 0;
     for (const auto& [size_mm, height_mm] :
-         {std::pair{6.0F, 0.07F}, {3.1F, 0.060F}, {1.5F, 0.054F}, {0.75F, 0.030F}, {0.42F, 0.012F}}) {
+         {std::pair{6.0F, 0.09F}, {3.1F, 0.050F}, {1.5F, 0.042F}, {0.75F, 0.026F}, {0.42F, 0.012F}}) {
         const float shown = smooth_step(0.5F * size_mm, 0.25F * size_mm, texel_mm);
         uneven += shown > 0 ? shown * height_mm * noise(place / size_mm + glm::vec3(9 * size_mm)) : 0;
     }
-    const float furrowed = 0.022F + 0.013F * person.wrinkled;
+    const float furrowed = 0.011F + 0.010F * person.wrinkled;
     for (const float size_mm : {1.5F, 1.0F, 0.62F}) {
         const float shown = smooth_step(0.5F * size_mm, 0.25F * size_mm, texel_mm);
         const glm::vec3 drawn_out(0.72F, 1.25F, 1);
@@ -87,7 +88,7 @@ float relief_mm(const Person& person, const Noise& noise, const Hairs& hairs, gl
                                   bell(noise(place * drawn_out / size_mm + glm::vec3(40 * size_mm)), 0.13F)
                             : 0;
     }
-    const float hair = 0.11F * hairs.cover(p, place.x < 0 ? -1.0F : 1.0F, texel_mm);
+    const float hair = 0.07F * hairs.cover(p, place.x < 0 ? -1.0F : 1.0F, texel_mm);
     return face * uneven - lines_mm(person, noise, p, place) + hair;
 }
 

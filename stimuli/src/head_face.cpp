@@ -19,11 +19,11 @@ struct Lump {
 
 constexpr std::array<Lump, 18> lumps{{
     {{27, 50, 88}, {22, 18, 30}, 1.6F},       // frontal eminence
-    {{23, 18, 90}, {17, 9, 22}, 1.6F},        // brow ridge
+    {{23, 18, 90}, {17, 8, 22}, 2.5F},        // brow ridge
     {{43, 12, 77}, {10, 7, 16}, 1.6F},        // its outer end
     {{32, 9.5F, 82}, {14, 6, 16}, 3.0F},      // soft tissue between brow and lid
     {{66, 24, 45}, {16, 20, 24}, -3.5F},      // temple
-    {{18, -1, 84}, {8, 9, 20}, -3.2F},        // inner corner of the socket
+    {{18, -1, 84}, {8, 9, 20}, -4.3F},        // inner corner of the socket
     {{36, -14, 80}, {15, 6, 18}, -0.8F},      // below the lower lid
     {{50, -3, 66}, {7, 8, 16}, -1.0F},        // outer corner
     {{45, -28, 74}, {17, 13, 24}, 5.5F},      // cheekbone
@@ -62,20 +62,20 @@ float add_nose(float skin, glm::vec3 p) {
         return skin;
     }
     // Bone and cartilage of the bridge, wide flanks, the tip, and the septum down to the lip.
-    const float bridge = capsule(p, {0, 6, 83}, {0, -33, 104}, 5.2F, 7.2F);
-    const float flank = capsule(p, {4, 0, 79}, {9.5F, -38, 88}, 5.5F, 8.5F);
+    const float bridge = capsule(p, {0, 6, 83.5F}, {0, -33, 104.5F}, 4.7F, 6.9F);
+    const float flank = capsule(p, {4, 0, 79}, {9.3F, -38, 89}, 5.3F, 8.4F);
     const float tip = glm::length((p - nose_tip) / glm::vec3(1.15F, 1, 1)) - 9.3F;
     const float septum = capsule(p, {0, -44, 104}, {0, -51, 91}, 4.6F, 5.4F);
-    float nose = join(bridge, flank, 13);
-    nose = join(nose, tip, 10);
+    float nose = join(bridge, flank, 12);
+    nose = join(nose, tip, 12);
     skin = join(skin, nose, 11);
     skin = join(skin, septum, 5);
 
     // The wings sit on the cheeks with a crease around them; the nostrils open below.
     const float wing = capsule(p, {13.6F, -44.2F, 90}, {6.5F, -42.5F, 101}, 5.6F, 5.4F);
-    skin += 0.9F * bell(wing - 0.6F, 1.9F) * smooth_step(102, 94, p.z);
-    skin = join(skin, wing, 3.5F);
-    const float nostril = ellipsoid(p, {7.4F, -53.0F, 98}, {3.6F, 5.2F, 6.4F});
+    skin += 1.1F * bell(wing - 0.6F, 1.9F) * smooth_step(102, 94, p.z);
+    skin = join(skin, wing, 2.8F);
+    const float nostril = ellipsoid(p, {7.4F, -52.2F, 98.8F}, {3.9F, 5.4F, 6.4F});
     return carve(skin, -nostril, 2.5F);
 }
 
@@ -84,7 +84,7 @@ float add_eye(float skin, glm::vec3 p) {
         return skin;
     }
     const float ball = glm::length(p - eye_centre) - eye_radius;
-    skin = join(skin, ball, 10);
+    skin = join(skin, ball, 12);
 
     // The upper lid ends in an edge on the lower one; a fold parts it from the brow, a faint one the lower
     // lid from the cheek.
@@ -94,7 +94,7 @@ float add_eye(float skin, glm::vec3 p) {
     const float lower_rim = bell(above + 2.2F, 1.6F);
     const float fold = bell(p.y - lid_fold_y(p.x), 1.7F);
     const float lower_fold = bell(above + 9 - 3 * square(s - 0.5F), 1.8F);
-    return skin - inside * (1.2F * upper_lid + 0.35F * lower_rim - 0.7F * fold - 0.25F * lower_fold);
+    return skin - inside * (0.9F * upper_lid + 0.35F * lower_rim - 0.55F * fold - 0.25F * lower_fold);
 }
 
 float add_mouth(float skin, glm::vec3 p) {

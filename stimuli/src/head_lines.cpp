@@ -25,14 +25,14 @@ float forehead_mm(const Noise& noise, glm::vec3 p, glm::vec3 place) {
         for (const float y : {35.0F, 45.5F, 55.0F}) {
             const float rise = y + sway + 2.5F * bell(p.x - 24, 20);
             const float broken = smooth_step(-0.35F, 0.15F, noise({place.x / 24, y, 0.5F}));
-            depth += (line == 1 ? 0.30F : 0.22F) * broken * furrow(p.y - rise, 0.75F);
+            depth += (line == 1 ? 0.22F : 0.14F) * broken * furrow(p.y - rise, 0.75F);
             ++line;
         }
         depth += 0.05F * valley(noise({p.x / 45, p.y / 5.0F + 0.25F * noise(place / 18.0F), 3.3F}), 0.10F);
     }
     const float glabella = smooth_step(6, 13, p.y) * smooth_step(34, 22, p.y);
     const float frown = p.x - 8.5F - 0.09F * (p.y - 20) + 0.8F * noise(place / 8.0F);
-    return where * depth + 0.22F * glabella * furrow(frown, 0.7F);
+    return where * depth + 0.10F * glabella * furrow(frown, 0.7F);
 }
 
 /// Lines around the eye: along the lids, and fanned out from its outer corner.

@@ -14,7 +14,7 @@ namespace stimuli::head {
 Person::Person(const HeadSettings& settings)
     : seed(settings.seed), melanin(static_cast<float>(settings.melanin)),
       age((static_cast<float>(settings.age_years) - 20) / 50), lean_phase(0.4F), tilt_phase(0) {
-    wrinkled = std::max(0.25F + 1.5F * age * (0.45F + 0.55F * age) / 0.725F, 0.2F);
+    wrinkled = std::max(0.2F + 1.35F * age * (0.45F + 0.55F * age) / 0.725F, 0.2F);
     grey = smooth_step(40, 85, static_cast<float>(settings.age_years));
     if (seed == 0) {
         return;

@@ -30,7 +30,7 @@ constexpr Spectrum deoxygenated{223296, 303956, 407560, 528600, 413280, 103292, 
                                 6510,   5149,   4345,   3750,   3227,   2795,   2408,  2052,  1794};
 
 constexpr double epidermis_mm = 0.06;
-constexpr double oxygen_share = 0.75;   // of the blood
+constexpr double oxygen_share = 0.85;   // of the blood
 constexpr double eumelanin_share = 0.7; // of the melanin; the rest is pheomelanin
 constexpr double blood_per_extinction = 2.303 * 150 / 64500 / 10; // whole blood: 150 g/l of 64,500 g/mol, per mm
 
@@ -48,8 +48,9 @@ glm::dvec3 observer(double nm) {
             1.217 * lobe(nm, 437.0, 0.0845, 0.0278) + 0.681 * lobe(nm, 459.0, 0.0385, 0.0725)};
 }
 
-/// Absorption of tissue without pigment, 1/mm.
-double bare(double nm) { return 0.0244 + 8.53 * std::exp(-(nm - 154) / 66.2); }
+/// Absorption of tissue without pigment, 1/mm; less the model's constant part, which would keep red below the 0.6 that
+/// fair skin reflects.
+double bare(double nm) { return 8.53 * std::exp(-(nm - 154) / 66.2); }
 
 double reflectance(const Pigment& pigment, std::size_t band) {
     const double nm = first_nm + step_nm * static_cast<double>(band);

@@ -26,22 +26,22 @@ struct Patch {
 
 constexpr float blood_everywhere = 0.017F;
 constexpr std::array<Patch, 17> patches{{
-    {{0, -40, 110}, {13, 11, 18}, 0.026F, 0.05F},     // tip of the nose
-    {{13, -44, 95}, {7, 9, 12}, 0.028F, 0.10F},       // its wings
-    {{0, -12, 98}, {7, 16, 20}, -0.006F, 0.05F},      // its bridge
-    {{44, -36, 72}, {19, 17, 30}, 0.024F, 0.0F},      // cheeks
-    {{60, -52, 46}, {17, 20, 26}, 0.010F, 0.0F},      // their sides
-    {{30, -17, 82}, {18, 6, 20}, 0.006F, 0.22F},      // below the eyes
-    {{31, 0, 82}, {18, 9, 18}, 0.010F, 0.26F},        // lids and sockets
-    {{16, -3, 78}, {6, 9, 14}, 0.012F, 0.40F},        // inner corners
-    {{31, -6, 84}, {16, 3, 14}, 0.012F, 0.10F},       // the lids' edges
-    {{0, -104, 88}, {17, 12, 20}, 0.013F, 0.05F},     // chin
+    {{0, -40, 110}, {13, 11, 18}, 0.055F, 0.05F},     // tip of the nose
+    {{13, -44, 95}, {7, 9, 12}, 0.055F, 0.10F},       // its wings
+    {{0, -12, 98}, {7, 16, 20}, -0.004F, 0.05F},      // its bridge
+    {{44, -36, 72}, {19, 17, 30}, 0.058F, -0.10F},     // cheeks
+    {{60, -52, 46}, {17, 20, 26}, 0.018F, 0.0F},      // their sides
+    {{30, -17, 82}, {18, 6, 20}, 0.004F, 0.22F},      // below the eyes
+    {{31, 0, 82}, {18, 9, 18}, 0.022F, 0.26F},        // lids and sockets
+    {{16, -3, 78}, {6, 9, 14}, 0.024F, 0.40F},        // inner corners
+    {{31, -6, 84}, {16, 3, 14}, 0.025F, 0.10F},       // the lids' edges
+    {{0, -104, 88}, {17, 12, 20}, 0.026F, 0.05F},     // chin
     {{0, -58, 98}, {22, 7, 20}, 0.006F, 0.10F},       // above the lip
     {{24, 52, 86}, {34, 22, 40}, -0.002F, 0.06F},     // forehead
-    {{6, 22, 98}, {12, 12, 20}, 0.008F, 0.0F},        // between the brows
-    {{66, 22, 40}, {14, 20, 26}, -0.005F, 0.0F},      // temples
-    {{90, -17, -30}, {22, 40, 22}, 0.034F, 0.0F},     // ears
-    {{28, -72, 84}, {6, 6, 14}, 0.010F, 0.20F},       // corners of the mouth
+    {{6, 22, 98}, {12, 12, 20}, 0.016F, 0.0F},        // between the brows
+    {{66, 22, 40}, {14, 20, 26}, -0.008F, -0.05F},    // temples
+    {{90, -17, -30}, {22, 40, 22}, 0.060F, 0.0F},     // ears
+    {{28, -72, 84}, {6, 6, 14}, 0.020F, 0.20F},       // corners of the mouth
     {{0, -190, 20}, {60, 40, 60}, 0.012F, 0.10F},     // throat and chest
 }};
 
@@ -69,7 +69,7 @@ public:
     explicit Skin(const Person& person)
         : person_(person), noise_("head albedo", person.seed), spots_("head spots", person.seed), hairs_(person),
           freckled_(person.seed == 0 ? 0.5F : smooth_step(-0.3F, 0.5F, noise_({0.5F, 0.5F, 0.37F}))),
-          bearded_(person.seed == 0 ? 0.6F : smooth_step(-0.3F, 0.3F, noise_({7.5F, 0.31F, 0.5F}))) {
+          bearded_(person.seed == 0 ? 0.9F : smooth_step(-0.3F, 0.3F, noise_({7.5F, 0.31F, 0.5F}))) {
         freckled_ *= smooth_step(0.10F, 0.015F, person.melanin);
     }
 
@@ -99,14 +99,14 @@ private:
         // Mottle the skin, coarsely by its blood and finely by both; sun and years make melanin patchier.
         const float age = std::max(person_.age, 0.0F);
         const float coarse = noise_.octaves(place / 19.0F, 3), fine = noise_.octaves(place / 2.4F, 2);
-        blood *= 1 + 0.30F * coarse + 0.20F * fine;
+        blood *= 1 + 0.38F * coarse + 0.20F * fine;
         relative += 0.12F * (1 + age) * noise_.octaves(place / 14.0F + glm::vec3(50), 2) + 0.08F * noise_(place / 1.1F);
         relative += 0.12F * age + 2.4F * freckles(p, place) + 2.2F * age_spots(p, place);
         blood += 0.010F * age * vessels(p, place);
 
         const float lips = on_lips(p);
         if (lips > 0) {
-            const float full = 0.080F - 0.025F * std::clamp(age, 0.0F, 1.0F);
+            const float full = 0.15F - 0.04F * std::clamp(age, 0.0F, 1.0F);
             blood = glm::mix(blood, full * (1 + 0.25F * noise_(place * glm::vec3(0.7F, 0.15F, 0.3F))), lips);
             relative = glm::mix(relative, 0.9F, lips);
         }
@@ -151,8 +151,8 @@ private:
         if (all <= 0) {
             return 0;
         }
-        const float dots = smooth_step(0.28F, 0.55F, spots_(place / 0.62F));
-        return all * (0.11F + 0.35F * dots);
+        const float dots = smooth_step(0.28F, 0.55F, spots_(place / 0.7F));
+        return all * (0.10F + 0.55F * dots);
     }
 
     float lid_seam(glm::vec3 p) const {
@@ -197,7 +197,7 @@ ImagePtr roughness_map(const Person& person, const Atlas& atlas) {
         const float cheek = std::exp(-square((p.x - 42) / 16) - square((p.y + 26) / 13)) * smooth_step(40, 70, p.z);
         const float uneven = 0.05F * noise.octaves(place / 4.0F, 2) + 0.03F * noise(place / 0.7F);
         const float dry = 0.03F * std::clamp(person.age - 0.5F, -0.5F, 1.0F);
-        const float roughness = 0.50F + dry - 0.11F * nose - 0.08F * forehead - 0.05F * cheek - 0.12F * on_lips(p) + uneven;
+        const float roughness = 0.46F + dry - 0.10F * nose - 0.07F * forehead - 0.05F * cheek - 0.12F * on_lips(p) + uneven;
         const float kept = std::clamp(roughness, 0.35F, 0.6F);
         return {0, static_cast<std::uint8_t>(std::lround(kept * 255)), 0};
     });
