@@ -40,8 +40,8 @@ fs::path cache_folder() {
 
 /// Where the head of this code and these settings is kept.
 fs::path cache_file(const HeadSettings& settings) {
-    const std::string parameters = fmt::format("{} {} {} {}", CODE_DIGEST, settings.seed, settings.age_years,
-                                               settings.melanin);
+    const std::string parameters =
+        fmt::format("{} {} {} {}", CODE_DIGEST, settings.seed, settings.age_years, settings.melanin);
     const fs::path folder = cache_folder();
     return folder.empty() ? fs::path() : folder / (support::sha256(parameters) + ".head");
 }
@@ -104,7 +104,8 @@ std::optional<Model> read_cached(const HeadSettings& settings) {
         return std::nullopt;
     }
     std::string_view bytes(reinterpret_cast<const char*>(content.data()), content.size());
-    if (bytes.size() < digest_length || support::sha256(bytes.substr(digest_length)) != bytes.substr(0, digest_length)) {
+    if (bytes.size() < digest_length ||
+        support::sha256(bytes.substr(digest_length)) != bytes.substr(0, digest_length)) {
         return std::nullopt;
     }
     bytes.remove_prefix(digest_length);

@@ -65,8 +65,9 @@ double melanin_of(const std::string& skin) {
     double melanin = -1;
     const auto [end, error] = std::from_chars(skin.data(), skin.data() + skin.size(), melanin);
     if (error != std::errc() || end != skin.data() + skin.size() || !(melanin >= 0 && melanin <= 0.5)) {
-        throw support::input_error("--skin: expected I, II, III, IV, V, VI or a share of 0 to 0.5, found \"{}\"",
-                                   support::one_line(skin));
+        throw support::input_error(
+            "--skin: expected I, II, III, IV, V, VI or a share of 0 to 0.5, found \"{}\"",
+            support::one_line(skin));
     }
     return melanin;
 }
@@ -79,7 +80,8 @@ HeadDetail detail_of(const std::string& level) {
             return detail;
         }
     }
-    throw support::input_error("--level: expected full, fifth or tenth, found \"{}\"", support::one_line(level));
+    throw support::input_error("--level: expected full, fifth or tenth, found \"{}\"",
+                               support::one_line(level));
 }
 
 struct Arguments {
@@ -100,7 +102,8 @@ void run(Arguments& arguments) {
     }
     const std::filesystem::path folder = arguments.out.has_parent_path() ? arguments.out.parent_path() : ".";
     if (!std::filesystem::is_directory(folder)) {
-        throw support::input_error("--out: {}: expected a folder, found none", support::one_line(folder.string()));
+        throw support::input_error("--out: {}: expected a folder, found none",
+                                   support::one_line(folder.string()));
     }
     const renderer::scene::Model head = simplified(builtin_head(arguments.settings), detail);
     write_head(head, arguments.out);

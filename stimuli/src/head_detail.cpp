@@ -67,13 +67,15 @@ void add_pores(std::vector<float>& height_mm, const Person& person, const Atlas&
 }
 
 /// Relief of the skin in mm over the surface, without pores, as far as texels of the given size can show it.
-float relief_mm(const Person& person, const Noise& noise, const Hairs& hairs, glm::vec3 place, float texel_mm) {
+float relief_mm(const Person& person, const Noise& noise, const Hairs& hairs, glm::vec3 place,
+                float texel_mm) {
     const glm::vec3 p = person.fold(place);
     const float lips = on_lips(p);
     const float face = (0.6F + 0.4F * smooth_step(20, 60, p.z)) * (1 - 0.6F * lips) *
                        (1 - 0.6F * std::exp(-square((p.x - 31) / 15) - square((p.y + 1) / 8)));
 
-    // Skin is uneven at all sizes, and fine furrows, drawn out along its lines of tension, cut it into small fields.
+    // Skin is uneven at all sizes, and fine furrows, drawn out along its lines of tension, cut it into small
+    // fields.
     float uneven = 0;
     for (const auto& [size_mm, height_mm] :
          {std::pair{6.0F, 0.09F}, {3.1F, 0.050F}, {1.5F, 0.042F}, {0.75F, 0.026F}, {0.42F, 0.012F}}) {
@@ -92,7 +94,8 @@ float relief_mm(const Person& person, const Noise& noise, const Hairs& hairs, gl
     return face * uneven - lines_mm(person, noise, p, place) + hair;
 }
 
-/// The normals of a height map, from differences over sheared texels: slopes along the tangent (+u) and the bitangent
+/// The normals of a height map, from differences over sheared texels: slopes along the tangent (+u) and the
+/// bitangent
 /// (+v, across it).
 renderer::scene::ImagePtr normals_of(const std::vector<float>& height_mm, const Atlas& atlas) {
     return filled_map([&](int x, int y) -> Texel {
@@ -101,7 +104,8 @@ renderer::scene::ImagePtr normals_of(const std::vector<float>& height_mm, const 
         const float step_v = std::sqrt(std::max(glm::dot(v, v) - shear * shear, 1e-6F));
         const auto at = [&](int dx, int dy) { return height_mm[Atlas::index(x + dx, y + dy)]; };
         const float slope_u = 0.5F * (at(1, 0) - at(-1, 0)) / step_u;
-        const float slope_v = (0.5F * (at(0, 1) - at(0, -1)) - shear / step_u * 0.5F * (at(1, 0) - at(-1, 0))) / step_v;
+        const float slope_v =
+            (0.5F * (at(0, 1) - at(0, -1)) - shear / step_u * 0.5F * (at(1, 0) - at(-1, 0))) / step_v;
         const glm::vec3 normal = glm::normalize(glm::vec3(-slope_u, slope_v, 1));
         Texel texel{};
         for (int k = 0; k < 3; ++k) {

@@ -28,7 +28,7 @@ constexpr std::array<Lump, 18> lumps{{
     {{50, -3, 66}, {7, 8, 16}, -1.0F},        // outer corner
     {{45, -28, 74}, {17, 13, 24}, 5.5F},      // cheekbone
     {{62, -20, 48}, {12, 10, 22}, 1.8F},      // its arch towards the ear
-    {{48, -52, 60}, {17, 17, 26}, 1.8F},      // fat of the cheek
+    {{48, -52, 60}, {18, 18, 28}, 3.2F},      // fat of the cheek
     {{0, -68, 92}, {21, 17, 22}, 3.8F},       // teeth carry the lips
     {{31, -66, 78}, {8, 12, 16}, 1.6F},       // fullness beside the mouth
     {{0, -89.5F, 92}, {17, 4.5F, 18}, -3.4F}, // groove above the chin
@@ -40,15 +40,15 @@ constexpr std::array<Lump, 18> lumps{{
 
 /// What fifty years, from 20 to 70, add.
 constexpr std::array<Lump, 9> ageing{{
-    {{32, -15, 82}, {13, 4.5F, 16}, 1.5F},   // bags below the eyes
-    {{33, -22, 80}, {17, 3.5F, 18}, -1.3F},  // and the groove below them
-    {{38, 8, 80}, {16, 5, 18}, 1.2F},        // skin that hangs over the lid
-    {{60, 22, 48}, {16, 18, 24}, -2.0F},     // temples
-    {{52, -50, 56}, {15, 15, 24}, -2.2F},    // hollow cheeks
-    {{33, -97, 66}, {12, 11, 18}, 2.6F},     // jowls
-    {{24, -92, 78}, {5, 10, 14}, -1.2F},     // before them
-    {{0, -118, 55}, {18, 14, 26}, 1.8F},     // below the chin
-    {{0, -64, 98}, {20, 8, 18}, -1.0F},      // thinner upper lip
+    {{32, -15, 82}, {13, 4.5F, 16}, 1.5F},  // bags below the eyes
+    {{33, -22, 80}, {17, 3.5F, 18}, -1.3F}, // and the groove below them
+    {{38, 8, 80}, {16, 5, 18}, 1.2F},       // skin that hangs over the lid
+    {{60, 22, 48}, {16, 18, 24}, -2.0F},    // temples
+    {{52, -50, 56}, {15, 15, 24}, -1.6F},   // hollow cheeks
+    {{33, -97, 66}, {12, 11, 18}, 2.6F},    // jowls
+    {{24, -92, 78}, {5, 10, 14}, -1.2F},    // before them
+    {{0, -118, 55}, {18, 14, 26}, 1.8F},    // below the chin
+    {{0, -64, 98}, {20, 8, 18}, -1.0F},     // thinner upper lip
 }};
 
 float lump_height(const Lump& lump, glm::vec3 p) {
@@ -130,8 +130,9 @@ float add_nasolabial_fold(const Person& person, float skin, glm::vec3 p) {
     const float t = std::clamp((-40 - p.y) / 38, -0.2F, 1.2F);
     const float outside = p.x - (19.5F + 13.5F * t - 1.5F * arch(t));
     const float present = smooth_step(-0.15F, 0.2F, t) * smooth_step(1.1F, 0.45F, t);
-    return skin - (0.55F + 0.9F * std::max(person.age, 0.0F)) * present * (0.9F * smooth_step(-5, 5, outside) * smooth_step(17, 5, outside) -
-                             0.5F * bell(outside + 1, 2.6F));
+    return skin - (0.55F + 0.9F * std::max(person.age, 0.0F)) * present *
+                      (0.9F * smooth_step(-5, 5, outside) * smooth_step(17, 5, outside) -
+                       0.5F * bell(outside + 1, 2.6F));
 }
 
 } // namespace

@@ -23,7 +23,7 @@ using renderer::scene::Mesh;
 using renderer::scene::Model;
 using renderer::scene::Vertex;
 
-constexpr double metres = 1e-3;          // a millimetre
+constexpr double metres = 1e-3;             // a millimetre
 constexpr double index_of_refraction = 1.4; // reflects 0.028 of light that falls straight on it
 
 std::vector<unsigned char> png(const Image& image, const std::string& name) {
@@ -33,7 +33,8 @@ std::vector<unsigned char> png(const Image& image, const std::string& name) {
     const OIIO::ImageSpec spec(image.width, image.height, image.channels, OIIO::TypeDesc::UINT8);
     if (!output || !output->open("memory.png", spec) ||
         !output->write_image(OIIO::TypeDesc::UINT8, image.pixels.data()) || !output->close()) {
-        throw support::failure("{}: cannot be encoded: {}", name, output ? output->geterror() : OIIO::geterror());
+        throw support::failure("{}: cannot be encoded: {}", name,
+                               output ? output->geterror() : OIIO::geterror());
     }
     return bytes;
 }
@@ -49,7 +50,8 @@ public:
             const glm::vec3 place = glm::dvec3(vertex.position_mm) * metres;
             places.insert(places.end(), {place.x, place.y, place.z});
             normals.insert(normals.end(), {vertex.normal.x, vertex.normal.y, vertex.normal.z});
-            tangents.insert(tangents.end(), {vertex.tangent.x, vertex.tangent.y, vertex.tangent.z, vertex.tangent.w});
+            tangents.insert(tangents.end(),
+                            {vertex.tangent.x, vertex.tangent.y, vertex.tangent.z, vertex.tangent.w});
             uvs.insert(uvs.end(), {vertex.uv.x, vertex.uv.y});
         }
         tinygltf::Primitive primitive;
@@ -57,10 +59,10 @@ public:
         primitive.attributes["NORMAL"] = add_floats(normals, 3, TINYGLTF_TYPE_VEC3);
         primitive.attributes["TANGENT"] = add_floats(tangents, 4, TINYGLTF_TYPE_VEC4);
         primitive.attributes["TEXCOORD_0"] = add_floats(uvs, 2, TINYGLTF_TYPE_VEC2);
-        primitive.indices = add_accessor(add_view(mesh.indices.data(), mesh.indices.size() * sizeof(std::uint32_t),
-                                                  TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER),
-                                         TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, mesh.indices.size(),
-                                         TINYGLTF_TYPE_SCALAR);
+        primitive.indices =
+            add_accessor(add_view(mesh.indices.data(), mesh.indices.size() * sizeof(std::uint32_t),
+                                  TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER),
+                         TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, mesh.indices.size(), TINYGLTF_TYPE_SCALAR);
         primitive.material = 0;
         primitive.mode = TINYGLTF_MODE_TRIANGLES;
         tinygltf::Mesh written;
@@ -81,8 +83,9 @@ public:
 
         using Object = tinygltf::Value::Object;
         const Object texture{{"index", tinygltf::Value(add_texture(thickness, "thickness"))}};
-        const Object volume{{"thicknessFactor", tinygltf::Value(static_cast<double>(head::most_thickness_mm) * metres)},
-                            {"thicknessTexture", tinygltf::Value(texture)}};
+        const Object volume{
+            {"thicknessFactor", tinygltf::Value(static_cast<double>(head::most_thickness_mm) * metres)},
+            {"thicknessTexture", tinygltf::Value(texture)}};
         written.extensions["KHR_materials_ior"] =
             tinygltf::Value(Object{{"ior", tinygltf::Value(index_of_refraction)}});
         // A volume counts only where light is transmitted; how much skin does is the renderer's to say.
@@ -140,9 +143,9 @@ private:
     }
 
     int add_floats(const std::vector<float>& values, std::size_t width, int type) {
-        const int index = add_accessor(
-            add_view(values.data(), values.size() * sizeof(float), TINYGLTF_TARGET_ARRAY_BUFFER),
-            TINYGLTF_COMPONENT_TYPE_FLOAT, values.size() / width, type);
+        const int index =
+            add_accessor(add_view(values.data(), values.size() * sizeof(float), TINYGLTF_TARGET_ARRAY_BUFFER),
+                         TINYGLTF_COMPONENT_TYPE_FLOAT, values.size() / width, type);
         tinygltf::Accessor& accessor = gltf_.accessors.back();
         for (std::size_t k = 0; k < width; ++k) {
             float low = values[k], high = low;

@@ -61,16 +61,18 @@ void Hairs::add(const Hair& hair, float side) {
     const auto square_of = [](float at, float from, int count) {
         return std::clamp(static_cast<int>((at - from) / bin_mm), 0, count - 1);
     };
-    for (int y = square_of(low.y - reach_mm, low_y, bins_y); y <= square_of(high.y + reach_mm, low_y, bins_y); ++y) {
-        for (int x = square_of(low.x - reach_mm, low_x, bins_x); x <= square_of(high.x + reach_mm, low_x, bins_x);
-             ++x) {
+    for (int y = square_of(low.y - reach_mm, low_y, bins_y); y <= square_of(high.y + reach_mm, low_y, bins_y);
+         ++y) {
+        for (int x = square_of(low.x - reach_mm, low_x, bins_x);
+             x <= square_of(high.x + reach_mm, low_x, bins_x); ++x) {
             bins_[static_cast<std::size_t>(bin_of(x, y, side))].push_back(number);
         }
     }
 }
 
 void Hairs::add_brow(const Person& person, float side) {
-    // Hairs stand up at the inner end and lie down along the brow farther out; those above lean down, those below up.
+    // Hairs stand up at the inner end and lie down along the brow farther out; those above lean down, those
+    // below up.
     support::Generator generator(side < 0 ? "right brow" : "left brow", person.seed);
     const auto any = [&] { return static_cast<float>(generator.uniform()); };
     const int count = static_cast<int>(720 * (1 - 0.3F * std::clamp(person.age - 0.6F, 0.0F, 1.0F)));
@@ -83,9 +85,10 @@ void Hairs::add_brow(const Person& person, float side) {
         const float x = 9.5F + 47 * s;
         const glm::vec2 root(x, brow_y(x) + across * half_height - 0.8F);
         const float lean = across * (s < 0.2F ? 0.25F : 0.38F);
-        const float angle = glm::mix(1.45F, 0.12F, std::pow(smooth_step(-0.1F, 0.6F, s), 0.6F)) - lean - 0.25F * s +
-                            0.45F * (any() - 0.5F);
-        const float length = glm::mix(4.0F, 6.5F, arch(std::min(s * 0.8F + 0.1F, 1.0F))) * (0.5F + 0.6F * any());
+        const float angle = glm::mix(1.45F, 0.12F, std::pow(smooth_step(-0.1F, 0.6F, s), 0.6F)) - lean -
+                            0.25F * s + 0.45F * (any() - 0.5F);
+        const float length =
+            glm::mix(4.0F, 6.5F, arch(std::min(s * 0.8F + 0.1F, 1.0F))) * (0.5F + 0.6F * any());
         add({bent(root, angle, angle - 0.5F * (1 - s) - 0.15F, length), 0.045F + 0.045F * any()}, side);
     }
 }
@@ -99,13 +102,15 @@ void Hairs::add_lashes(const Person& person, float side) {
         const float x = eye_inner_x + s * (eye_outer_x - eye_inner_x);
         const float length = (1.6F + 3.6F * smooth_step(0.0F, 0.7F, s)) * (0.7F + 0.4F * any());
         const float down = -1.57F + 1.0F * (s - 0.3F) + 0.35F * (any() - 0.5F);
-        add({bent({x, lid_line_y(x) + 0.1F}, down, down + 0.5F * (s - 0.1F), length), 0.06F + 0.03F * any()}, side);
+        add({bent({x, lid_line_y(x) + 0.1F}, down, down + 0.5F * (s - 0.1F), length), 0.06F + 0.03F * any()},
+            side);
     }
 }
 
 float Hairs::cover(glm::vec3 folded, float side, float spot_mm) const {
     const glm::vec2 p(folded.x, folded.y);
-    const int x = static_cast<int>((p.x - low_x) / bin_mm), y = static_cast<int>(std::floor((p.y - low_y) / bin_mm));
+    const int x = static_cast<int>((p.x - low_x) / bin_mm),
+              y = static_cast<int>(std::floor((p.y - low_y) / bin_mm));
     if (folded.z < 28 || x < 0 || x >= bins_x || y < 0 || y >= bins_y) {
         return 0;
     }
@@ -115,7 +120,8 @@ float Hairs::cover(glm::vec3 folded, float side, float spot_mm) const {
         float along = 0;
         const float distance = distance_to(hair.line, p, along);
         // A hair finer than the spot covers a part of it.
-        const float radius = hair.radius_mm * (1 - 0.75F * along * along), seen = std::max(radius, 0.4F * spot_mm);
+        const float radius = hair.radius_mm * (1 - 0.75F * along * along),
+                    seen = std::max(radius, 0.4F * spot_mm);
         clear *= 1 - std::min(radius / seen, 1.0F) * smooth_step(1.6F * seen, 0.5F * seen, distance);
     }
     return 1 - clear;

@@ -17,8 +17,8 @@ class Hairs {
 public:
     explicit Hairs(const Person& person);
 
-    /// How much of a spot is covered by hair, 0 to 1. `folded` is the place on the half head, `side` the sign of the
-    /// place's x, `spot_mm` how wide the spot is.
+    /// How much of a spot is covered by hair, 0 to 1. `folded` is the place on the half head, `side` the sign
+    /// of the place's x, `spot_mm` how wide the spot is.
     float cover(glm::vec3 folded, float side, float spot_mm) const;
 
 private:

@@ -13,7 +13,9 @@ namespace {
 float valley(float noise, float width) { return bell(noise, width); }
 
 /// A fold with a sharp bottom: 1 in its middle, its shoulders `width_mm` away.
-float furrow(float offset_mm, float width_mm) { return std::exp(-std::abs(offset_mm) / width_mm) * bell(offset_mm, 3 * width_mm); }
+float furrow(float offset_mm, float width_mm) {
+    return std::exp(-std::abs(offset_mm) / width_mm) * bell(offset_mm, 3 * width_mm);
+}
 
 /// Lines across the forehead, and between the brows.
 float forehead_mm(const Noise& noise, glm::vec3 p, glm::vec3 place) {
@@ -45,12 +47,14 @@ float eye_mm(const Noise& noise, glm::vec3 p, glm::vec3 place) {
 
     const glm::vec2 from_corner(p.x - eye_outer_x + 5, p.y + 2.5F);
     const float reach = glm::length(from_corner), angle = std::atan2(from_corner.y, from_corner.x);
-    const float fan = smooth_step(3, 8, reach) * smooth_step(27, 11, reach) * smooth_step(0, 6, from_corner.x);
+    const float fan =
+        smooth_step(3, 8, reach) * smooth_step(27, 11, reach) * smooth_step(0, 6, from_corner.x);
     const float wander = 0.35F * noise({reach / 7, angle * 2, side});
     return depth + 0.17F * fan * valley(noise({angle * 4.2F + wander, reach / 26, side}), 0.075F);
 }
 
-/// Lines around the mouth: from the nose's wing down beside it, below its corner, and short ones down to the lip.
+/// Lines around the mouth: from the nose's wing down beside it, below its corner, and short ones down to the
+/// lip.
 float mouth_mm(const Person& person, const Noise& noise, glm::vec3 p, glm::vec3 place) {
     const float t = std::clamp((-40 - p.y) / 38, -0.2F, 1.2F);
     const float sway = 0.9F * noise(place / 12.0F);
@@ -62,7 +66,8 @@ float mouth_mm(const Person& person, const Noise& noise, glm::vec3 p, glm::vec3 
     const float down = smooth_step(-72, -77, p.y) * smooth_step(-98, -84, p.y);
     depth += 0.5F * older * down * furrow(p.x - 28.5F - 0.22F * (-73 - p.y) + sway, 0.8F);
     const float above = smooth_step(-66, -63, p.y) * smooth_step(-53, -59, p.y) * smooth_step(27, 18, p.x);
-    depth += 0.22F * older * above * valley(noise({p.x / 2.3F, p.y / 22, place.x < 0 ? 11.5F : 12.5F}), 0.12F);
+    depth +=
+        0.22F * older * above * valley(noise({p.x / 2.3F, p.y / 22, place.x < 0 ? 11.5F : 12.5F}), 0.12F);
     return depth;
 }
 
@@ -72,9 +77,11 @@ float age_mm(const Person& person, const Noise& noise, glm::vec3 p, glm::vec3 pl
     float depth = 0.06F * std::min(1.0F, 0.4F + person.age) *
                   bell(p.y + 133 + 3 * noise(place / 30.0F) + 0.10F * p.x, 1.2F) * smooth_step(-30, 0, p.z);
     if (older > 0) {
-        const float cheek = std::exp(-square((p.x - 48) / 22) - square((p.y + 42) / 34)) * smooth_step(20, 45, p.z);
+        const float cheek =
+            std::exp(-square((p.x - 48) / 22) - square((p.y + 42) / 34)) * smooth_step(20, 45, p.z);
         const glm::vec3 slanted(p.x / 7 + p.y / 22, p.y / 26 - p.x / 30, place.x < 0 ? 3.5F : 6.5F);
-        depth += 0.13F * older * cheek * (valley(noise(slanted), 0.06F) + 0.6F * valley(noise(2.1F * slanted), 0.09F));
+        depth += 0.13F * older * cheek *
+                 (valley(noise(slanted), 0.06F) + 0.6F * valley(noise(2.1F * slanted), 0.09F));
     }
     return depth;
 }
@@ -93,8 +100,10 @@ float lines_mm(const Person& person, const Noise& noise, glm::vec3 p, glm::vec3 
 
     // Everyone has a crease where the lids fold and where they meet.
     const float s = along_eye(p.x);
-    const float present = smooth_step(-0.05F, 0.1F, s) * smooth_step(1.12F, 0.95F, s) * smooth_step(35, 45, p.z);
-    depth += present * (0.10F * bell(p.y - lid_fold_y(p.x), 0.9F) + 0.45F * bell(p.y - lid_line_y(p.x), 0.4F));
+    const float present =
+        smooth_step(-0.05F, 0.1F, s) * smooth_step(1.12F, 0.95F, s) * smooth_step(35, 45, p.z);
+    depth +=
+        present * (0.10F * bell(p.y - lid_fold_y(p.x), 0.9F) + 0.45F * bell(p.y - lid_line_y(p.x), 0.4F));
 
     // Lips are grooved from edge to edge and parted by a sharp line.
     const float lips = on_lips(p);

@@ -20,7 +20,9 @@ Person::Person(const HeadSettings& settings)
         return;
     }
     support::Generator generator("head shape", seed);
-    const auto departure = [&] { return std::clamp(static_cast<float>(generator.normal()) * 0.6F, -1.2F, 1.2F); };
+    const auto departure = [&] {
+        return std::clamp(static_cast<float>(generator.normal()) * 0.6F, -1.2F, 1.2F);
+    };
     for (float Person::*field :
          {&Person::nose_width, &Person::nose_length, &Person::mouth_width, &Person::jaw_width,
           &Person::brow_depth, &Person::eye_distance, &Person::cheek_width}) {
@@ -47,9 +49,10 @@ glm::vec3 Person::fold(glm::vec3 p) const {
     const auto near = [&](float x, float y, float x_spread, float y_spread) {
         return face * std::exp(-square((p.x - x) / x_spread) - square((p.y - y) / y_spread));
     };
-    const float wider = 2.2F * nose_width * near(12, -44, 12, 16) + 2.4F * mouth_width * near(26, -72, 15, 12) +
-                        1.6F * eye_distance * near(32, 0, 20, 14) + 2.2F * cheek_width * near(60, -28, 25, 24) +
-                        3.0F * jaw_width * near(50, -85, 28, 24);
+    const float wider = 2.2F * nose_width * near(12, -44, 12, 16) +
+                        2.4F * mouth_width * near(26, -72, 15, 12) +
+                        1.6F * eye_distance * near(32, 0, 20, 14) +
+                        2.2F * cheek_width * near(60, -28, 25, 24) + 3.0F * jaw_width * near(50, -85, 28, 24);
     const float longer = 2.4F * nose_length * near(0, -46, 22, 13);
     const float deeper = 1.5F * brow_depth * near(26, 17, 26, 12);
     return {std::max(p.x - wider, 0.0F), p.y + longer, p.z - deeper};

@@ -17,22 +17,26 @@ constexpr double first_nm = 400, step_nm = 10;
 using Spectrum = std::array<double, bands>;
 
 // Relative power of daylight, CIE standard illuminant D65.
-constexpr Spectrum daylight{82.75,  91.49,  93.43,  86.68,  104.86, 117.01, 117.81, 114.86, 115.92, 108.81, 109.35,
-                            107.80, 104.79, 107.69, 104.41, 104.05, 100.00, 96.33,  95.79,  88.69,  90.01,  89.60,
-                            87.70,  83.29,  83.70,  80.03,  80.21,  82.28,  78.28,  69.72,  71.61};
+constexpr Spectrum daylight{82.75,  91.49,  93.43,  86.68,  104.86, 117.01, 117.81, 114.86,
+                            115.92, 108.81, 109.35, 107.80, 104.79, 107.69, 104.41, 104.05,
+                            100.00, 96.33,  95.79,  88.69,  90.01,  89.60,  87.70,  83.29,
+                            83.70,  80.03,  80.21,  82.28,  78.28,  69.72,  71.61};
 
 // Molar extinction of haemoglobin with and without oxygen, 1/(cm mol/l). [Prahl1998]
-constexpr Spectrum oxygenated{266232, 466840, 480360, 246072, 102580, 62816, 44480, 33209, 26629, 23684, 20933,
-                              20035,  24202,  39957,  53236,  43016,  32613, 44496, 50104, 14401, 3200,  1506,
-                              942,    610,    442,    368,    319.6,  294,   277.6, 276,   290};
-constexpr Spectrum deoxygenated{223296, 303956, 407560, 528600, 413280, 103292, 23389, 16156, 14550, 16684, 20862,
-                                25774,  31590,  39036,  46592,  53412,  53788,  45072, 37020, 28324, 14677, 9444,
-                                6510,   5149,   4345,   3750,   3227,   2795,   2408,  2052,  1794};
+constexpr Spectrum oxygenated{266232, 466840, 480360, 246072, 102580, 62816, 44480, 33209,
+                              26629,  23684,  20933,  20035,  24202,  39957, 53236, 43016,
+                              32613,  44496,  50104,  14401,  3200,   1506,  942,   610,
+                              442,    368,    319.6,  294,    277.6,  276,   290};
+constexpr Spectrum deoxygenated{223296, 303956, 407560, 528600, 413280, 103292, 23389, 16156,
+                                14550,  16684,  20862,  25774,  31590,  39036,  46592, 53412,
+                                53788,  45072,  37020,  28324,  14677,  9444,   6510,  5149,
+                                4345,   3750,   3227,   2795,   2408,   2052,   1794};
 
 constexpr double epidermis_mm = 0.06;
 constexpr double oxygen_share = 0.85;   // of the blood
 constexpr double eumelanin_share = 0.7; // of the melanin; the rest is pheomelanin
-constexpr double blood_per_extinction = 2.303 * 150 / 64500 / 10; // whole blood: 150 g/l of 64,500 g/mol, per mm
+constexpr double blood_per_extinction =
+    2.303 * 150 / 64500 / 10; // whole blood: 150 g/l of 64,500 g/mol, per mm
 
 /// A lobe of the colour matching functions' analytic fit. [Wyman2013]
 double lobe(double nm, double peak, double below, double above) {
@@ -48,8 +52,8 @@ glm::dvec3 observer(double nm) {
             1.217 * lobe(nm, 437.0, 0.0845, 0.0278) + 0.681 * lobe(nm, 459.0, 0.0385, 0.0725)};
 }
 
-/// Absorption of tissue without pigment, 1/mm; less the model's constant part, which would keep red below the 0.6 that
-/// fair skin reflects.
+/// Absorption of tissue without pigment, 1/mm; less the model's constant part, which would keep red below the
+/// 0.6 that fair skin reflects.
 double bare(double nm) { return 8.53 * std::exp(-(nm - 154) / 66.2); }
 
 double reflectance(const Pigment& pigment, std::size_t band) {
@@ -58,8 +62,8 @@ double reflectance(const Pigment& pigment, std::size_t band) {
     const double in_melanin =
         eumelanin_share * 6.6e10 * std::pow(nm, -3.33) + (1 - eumelanin_share) * 2.9e14 * std::pow(nm, -4.75);
     const double epidermis = melanin * in_melanin + (1 - melanin) * bare(nm);
-    const double in_blood = blood_per_extinction *
-                            (oxygen_share * oxygenated[band] + (1 - oxygen_share) * deoxygenated[band]);
+    const double in_blood =
+        blood_per_extinction * (oxygen_share * oxygenated[band] + (1 - oxygen_share) * deoxygenated[band]);
     const double dermis = blood * in_blood + (1 - blood) * bare(nm);
     // Cells scatter in both layers, the dermis' fine fibres as small particles do.
     const double cells = 14.74 * std::pow(nm, -0.22), scattering = cells + 2.2e11 * std::pow(nm, -4.0);
@@ -70,7 +74,8 @@ double reflectance(const Pigment& pigment, std::size_t band) {
     const double albedo = scattering / (scattering + dermis), root = std::sqrt(3 * (1 - albedo));
     const double below = albedo / 2 * (1 + std::exp(-4.0 / 3 * boundary * root)) * std::exp(-root);
 
-    // What the epidermis reflects and lets through, by two fluxes [KubelkaMunk1931], and back and forth between both.
+    // What the epidermis reflects and lets through, by two fluxes [KubelkaMunk1931], and back and forth
+    // between both.
     const double absorbed = 2 * epidermis, scattered = 0.75 * cells; // along diffuse paths
     const double a = 1 + absorbed / scattered, b = std::sqrt(a * a - 1), depth = b * scattered * epidermis_mm;
     const double all = a * std::sinh(depth) + b * std::cosh(depth);

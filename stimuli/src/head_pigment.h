@@ -17,8 +17,8 @@ struct Pigment {
 
 constexpr float most_melanin = 0.5F, most_blood = 0.16F;
 
-/// Diffuse reflectance of skin as linear Rec. 709 under D65: an epidermis that absorbs by its melanin over a dermis
-/// that absorbs by its blood. Absorption and scattering spectra are those of Donner and Jensen's model
+/// Diffuse reflectance of skin as linear Rec. 709 under D65: an epidermis that absorbs by its melanin over a
+/// dermis that absorbs by its blood. Absorption and scattering spectra are those of Donner and Jensen's model
 /// [DonnerJensen2006]; the dermis reflects as the dipole says [Jensen2001].
 glm::vec3 skin_colour_exact(const Pigment& pigment);
 

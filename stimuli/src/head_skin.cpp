@@ -18,7 +18,8 @@ using renderer::scene::ImagePtr;
 /// Colour of single hairs, and their grey (linear Rec. 709).
 constexpr glm::vec3 brown_hair{0.030F, 0.016F, 0.010F}, grey_hair{0.30F, 0.28F, 0.26F};
 
-/// A patch with more blood than its surroundings (share of the dermis), and more melanin (relative to the person's own).
+/// A patch with more blood than its surroundings (share of the dermis), and more melanin (relative to the
+/// person's own).
 struct Patch {
     glm::vec3 centre, spread; ///< mm
     float blood, melanin;
@@ -26,23 +27,23 @@ struct Patch {
 
 constexpr float blood_everywhere = 0.017F;
 constexpr std::array<Patch, 17> patches{{
-    {{0, -40, 110}, {13, 11, 18}, 0.055F, 0.05F},     // tip of the nose
-    {{13, -44, 95}, {7, 9, 12}, 0.055F, 0.10F},       // its wings
-    {{0, -12, 98}, {7, 16, 20}, -0.004F, 0.05F},      // its bridge
-    {{44, -36, 72}, {19, 17, 30}, 0.058F, -0.10F},     // cheeks
-    {{60, -52, 46}, {17, 20, 26}, 0.018F, 0.0F},      // their sides
-    {{30, -17, 82}, {18, 6, 20}, 0.004F, 0.22F},      // below the eyes
-    {{31, 0, 82}, {18, 9, 18}, 0.022F, 0.26F},        // lids and sockets
-    {{16, -3, 78}, {6, 9, 14}, 0.024F, 0.40F},        // inner corners
-    {{31, -6, 84}, {16, 3, 14}, 0.025F, 0.10F},       // the lids' edges
-    {{0, -104, 88}, {17, 12, 20}, 0.026F, 0.05F},     // chin
-    {{0, -58, 98}, {22, 7, 20}, 0.006F, 0.10F},       // above the lip
-    {{24, 52, 86}, {34, 22, 40}, -0.002F, 0.06F},     // forehead
-    {{6, 22, 98}, {12, 12, 20}, 0.016F, 0.0F},        // between the brows
-    {{66, 22, 40}, {14, 20, 26}, -0.008F, -0.05F},    // temples
-    {{90, -17, -30}, {22, 40, 22}, 0.060F, 0.0F},     // ears
-    {{28, -72, 84}, {6, 6, 14}, 0.020F, 0.20F},       // corners of the mouth
-    {{0, -190, 20}, {60, 40, 60}, 0.012F, 0.10F},     // throat and chest
+    {{0, -40, 110}, {13, 11, 18}, 0.055F, 0.05F},  // tip of the nose
+    {{13, -44, 95}, {7, 9, 12}, 0.055F, 0.10F},    // its wings
+    {{0, -12, 98}, {7, 16, 20}, -0.004F, 0.05F},   // its bridge
+    {{44, -36, 72}, {19, 17, 30}, 0.058F, -0.10F}, // cheeks
+    {{60, -52, 46}, {17, 20, 26}, 0.018F, 0.0F},   // their sides
+    {{30, -17, 82}, {18, 6, 20}, 0.004F, 0.22F},   // below the eyes
+    {{31, 0, 82}, {18, 9, 18}, 0.022F, 0.26F},     // lids and sockets
+    {{16, -3, 78}, {6, 9, 14}, 0.024F, 0.40F},     // inner corners
+    {{31, -6, 84}, {16, 3, 14}, 0.025F, 0.10F},    // the lids' edges
+    {{0, -104, 88}, {17, 12, 20}, 0.026F, 0.05F},  // chin
+    {{0, -58, 98}, {22, 7, 20}, 0.006F, 0.10F},    // above the lip
+    {{24, 52, 86}, {34, 22, 40}, -0.002F, 0.06F},  // forehead
+    {{6, 22, 98}, {12, 12, 20}, 0.016F, 0.0F},     // between the brows
+    {{66, 22, 40}, {14, 20, 26}, -0.008F, -0.05F}, // temples
+    {{90, -17, -30}, {22, 40, 22}, 0.060F, 0.0F},  // ears
+    {{28, -72, 84}, {6, 6, 14}, 0.020F, 0.20F},    // corners of the mouth
+    {{0, -190, 20}, {60, 40, 60}, 0.012F, 0.10F},  // throat and chest
 }};
 
 float patch_weight(const Patch& patch, glm::vec3 p) {
@@ -67,13 +68,15 @@ float hairline_y(float z) {
 class Skin {
 public:
     explicit Skin(const Person& person)
-        : person_(person), noise_("head albedo", person.seed), spots_("head spots", person.seed), hairs_(person),
+        : person_(person), noise_("head albedo", person.seed), spots_("head spots", person.seed),
+          hairs_(person),
           freckled_(person.seed == 0 ? 0.5F : smooth_step(-0.3F, 0.5F, noise_({0.5F, 0.5F, 0.37F}))),
           bearded_(person.seed == 0 ? 0.9F : smooth_step(-0.3F, 0.3F, noise_({7.5F, 0.31F, 0.5F}))) {
         freckled_ *= smooth_step(0.10F, 0.015F, person.melanin);
     }
 
-    /// Linear colour of the skin with its hairs; dark in the nostrils and between the lips, where little light leaves.
+    /// Linear colour of the skin with its hairs; dark in the nostrils and between the lips, where little
+    /// light leaves.
     glm::vec3 operator()(glm::vec3 place, float texel_mm) const {
         const glm::vec3 p = person_.fold(place);
         const glm::vec3 skin = colours_(pigment_at(p, place));
@@ -84,7 +87,8 @@ public:
         const float lid_edge = lid_seam(p);
         const float shade = (1 - 0.8F * nostril) * (1 - 0.72F * parting) * (1 - 0.6F * lid_edge);
         const glm::vec3 hair_colour = glm::mix(brown_hair, grey_hair, 0.75F * person_.grey);
-        const float hair = std::max(0.93F * hairs_.cover(p, place.x < 0 ? -1.0F : 1.0F, texel_mm), stubble(p, place));
+        const float hair =
+            std::max(0.93F * hairs_.cover(p, place.x < 0 ? -1.0F : 1.0F, texel_mm), stubble(p, place));
         return glm::mix(skin * shade, hair_colour, hair);
     }
 
@@ -100,7 +104,8 @@ private:
         const float age = std::max(person_.age, 0.0F);
         const float coarse = noise_.octaves(place / 19.0F, 3), fine = noise_.octaves(place / 2.4F, 2);
         blood *= 1 + 0.38F * coarse + 0.20F * fine;
-        relative += 0.12F * (1 + age) * noise_.octaves(place / 14.0F + glm::vec3(50), 2) + 0.08F * noise_(place / 1.1F);
+        relative += 0.12F * (1 + age) * noise_.octaves(place / 14.0F + glm::vec3(50), 2) +
+                    0.08F * noise_(place / 1.1F);
         relative += 0.12F * age + 2.4F * freckles(p, place) + 2.2F * age_spots(p, place);
         blood += 0.010F * age * vessels(p, place);
 
@@ -115,11 +120,13 @@ private:
 
     /// Small brown spots, many over the nose and the cheeks.
     float freckles(glm::vec3 p, glm::vec3 place) const {
-        const float where = freckled_ * std::exp(-square(p.x / 56) - square((p.y + 22) / 28)) * smooth_step(30, 60, p.z);
+        const float where =
+            freckled_ * std::exp(-square(p.x / 56) - square((p.y + 22) / 28)) * smooth_step(30, 60, p.z);
         if (where < 0.02F) {
             return 0;
         }
-        return where * smooth_step(0.42F, 0.75F, spots_(place / 1.6F + glm::vec3(31)) + 0.5F * spots_(place / 9.0F));
+        return where *
+               smooth_step(0.42F, 0.75F, spots_(place / 1.6F + glm::vec3(31)) + 0.5F * spots_(place / 9.0F));
     }
 
     /// Broad flat spots that come with age, on temples, cheeks and scalp.
@@ -135,7 +142,8 @@ private:
 
     /// Fine widened vessels over cheeks and nose.
     float vessels(glm::vec3 p, glm::vec3 place) const {
-        const float where = std::exp(-square((p.x - 30) / 28) - square((p.y + 36) / 16)) * smooth_step(45, 70, p.z);
+        const float where =
+            std::exp(-square((p.x - 30) / 28) - square((p.y + 36) / 16)) * smooth_step(45, 70, p.z);
         return where < 0.03F ? 0 : where * bell(spots_(place / 3.1F + 0.4F * noise_(place / 1.4F)), 0.10F);
     }
 
@@ -143,9 +151,10 @@ private:
     float stubble(glm::vec3 p, glm::vec3 place) const {
         const float ragged = 5 * noise_(place / 9.0F);
         const float scalp = 0.8F * smooth_step(-9, 9, p.y - hairline_y(p.z) + ragged);
-        const float jaw =
-            smooth_step(-46, -70, p.y + 0.45F * std::max(p.x - 30, 0.0F) * smooth_step(60, 20, p.z) + 0.5F * ragged);
-        const float front = smooth_step(-5, 25, p.z) * smooth_step(-150, -122, p.y) * smooth_step(106, 100, p.z);
+        const float jaw = smooth_step(
+            -46, -70, p.y + 0.45F * std::max(p.x - 30, 0.0F) * smooth_step(60, 20, p.z) + 0.5F * ragged);
+        const float front =
+            smooth_step(-5, 25, p.z) * smooth_step(-150, -122, p.y) * smooth_step(106, 100, p.z);
         const float beard = bearded_ * jaw * front * (1 - on_lips(p)) * smooth_step(-51, -56, p.y);
         const float all = std::max(scalp, beard) * (1 - 0.5F * person_.grey);
         if (all <= 0) {
@@ -160,7 +169,8 @@ private:
         if (p.z < 40 || s < -0.05F || s > 1.1F) {
             return 0;
         }
-        return smooth_step(-0.03F, 0.1F, s) * smooth_step(1.08F, 0.95F, s) * bell(p.y - lid_line_y(p.x), 0.55F);
+        return smooth_step(-0.03F, 0.1F, s) * smooth_step(1.08F, 0.95F, s) *
+               bell(p.y - lid_line_y(p.x), 0.55F);
     }
 
     const Person& person_;
@@ -193,11 +203,14 @@ ImagePtr roughness_map(const Person& person, const Atlas& atlas) {
         // Nose and forehead are oily, the lips moist, the rest dry, and drier with age.
         const glm::vec3 place = atlas.place_mm(x, y), p = person.fold(place);
         const float nose = std::exp(-square(p.x / 18) - square((p.y + 32) / 22)) * smooth_step(70, 85, p.z);
-        const float forehead = std::exp(-square(p.x / 42) - square((p.y - 42) / 24)) * smooth_step(40, 70, p.z);
-        const float cheek = std::exp(-square((p.x - 42) / 16) - square((p.y + 26) / 13)) * smooth_step(40, 70, p.z);
+        const float forehead =
+            std::exp(-square(p.x / 42) - square((p.y - 42) / 24)) * smooth_step(40, 70, p.z);
+        const float cheek =
+            std::exp(-square((p.x - 42) / 16) - square((p.y + 26) / 13)) * smooth_step(40, 70, p.z);
         const float uneven = 0.05F * noise.octaves(place / 4.0F, 2) + 0.03F * noise(place / 0.7F);
         const float dry = 0.03F * std::clamp(person.age - 0.5F, -0.5F, 1.0F);
-        const float roughness = 0.46F + dry - 0.10F * nose - 0.07F * forehead - 0.05F * cheek - 0.12F * on_lips(p) + uneven;
+        const float roughness =
+            0.46F + dry - 0.10F * nose - 0.07F * forehead - 0.05F * cheek - 0.12F * on_lips(p) + uneven;
         const float kept = std::clamp(roughness, 0.35F, 0.6F);
         return {0, static_cast<std::uint8_t>(std::lround(kept * 255)), 0};
     });

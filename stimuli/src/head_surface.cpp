@@ -73,7 +73,7 @@ RayRow ray_row_at(float v) {
 /// How many columns a degree around the head deserves: many on the face, more at the ears, few behind.
 float column_density(float azimuth_deg) {
     const float side = std::abs(azimuth_deg);
-    return 0.17F + 1.0F * std::exp(-std::pow(side / 64, 4.0F)) + 0.2F * bell(side, 18) +
+    return 0.15F + 1.07F * std::exp(-std::pow(side / 64, 4.0F)) + 0.2F * bell(side, 18) +
            0.9F * bell(side - 95, 15);
 }
 
@@ -131,8 +131,9 @@ glm::vec3 traced(const Person& person, const std::vector<float>& azimuths, glm::
     const float azimuth = glm::mix(azimuths[left], azimuths[left + 1], ray.x - static_cast<float>(left));
     const float front = 0.5F + 0.5F * std::cos(azimuth);
     const float rise = glm::radians(glm::mix(row.back_rise_deg, row.front_rise_deg, front));
-    return outermost_skin(person, start,
-                          {std::cos(rise) * std::sin(azimuth), std::sin(rise), std::cos(rise) * std::cos(azimuth)});
+    return outermost_skin(
+        person, start,
+        {std::cos(rise) * std::sin(azimuth), std::sin(rise), std::cos(rise) * std::cos(azimuth)});
 }
 
 /// Put the surface's places where the rays meet the skin; the last column is the first.
@@ -152,14 +153,15 @@ void trace(Surface& surface, const Person& person, const std::vector<float>& azi
 
 /// The surface between its places, at a ray between the grid's columns and rows.
 glm::vec3 between(const Surface& surface, glm::vec2 ray) {
-    const int i = std::clamp(static_cast<int>(ray.x), 0, columns - 1), j = std::clamp(static_cast<int>(ray.y), 0, rows - 1);
+    const int i = std::clamp(static_cast<int>(ray.x), 0, columns - 1),
+              j = std::clamp(static_cast<int>(ray.y), 0, rows - 1);
     const float right = ray.x - static_cast<float>(i), down = ray.y - static_cast<float>(j);
     return glm::mix(glm::mix(surface.at(i, j), surface.at(i + 1, j), right),
                     glm::mix(surface.at(i, j + 1), surface.at(i + 1, j + 1), right), down);
 }
 
-/// Slide the face's rays along the skin towards the middle of their neighbours, so that cells become squares of the
-/// map: a few steps down the energy whose least value a conformal map has. [PinkallPolthier1993]
+/// Slide the face's rays along the skin towards the middle of their neighbours, so that cells become squares
+/// of the map: a few steps down the energy whose least value a conformal map has. [PinkallPolthier1993]
 void spread_evenly(std::vector<glm::vec2>& rays, const Surface& surface, const std::vector<float>& azimuths) {
     constexpr int steps = 90;
     constexpr float across = static_cast<float>(columns) / rows, down = 1 / across;
@@ -175,13 +177,18 @@ void spread_evenly(std::vector<glm::vec2>& rays, const Surface& surface, const s
                 if (free <= 0) {
                     continue;
                 }
-                const auto k = static_cast<std::size_t>(j * (columns + 1) + i), row = std::size_t{columns + 1};
-                const glm::vec3 middle = (across * (places[k - 1] + places[k + 1]) + down * (places[k - row] + places[k + row])) /
-                                         (2 * (across + down));
+                const auto k = static_cast<std::size_t>(j * (columns + 1) + i),
+                           row = std::size_t{columns + 1};
+                const glm::vec3 middle =
+                    (across * (places[k - 1] + places[k + 1]) + down * (places[k - row] + places[k + row])) /
+                    (2 * (across + down));
                 const glm::vec3 pull = middle - places[k];
-                const glm::vec3 right = between(surface, rays[k] + glm::vec2(0.5F, 0)) - between(surface, rays[k] - glm::vec2(0.5F, 0));
-                const glm::vec3 below = between(surface, rays[k] + glm::vec2(0, 0.5F)) - between(surface, rays[k] - glm::vec2(0, 0.5F));
-                const float rr = glm::dot(right, right), rb = glm::dot(right, below), bb = glm::dot(below, below);
+                const glm::vec3 right = between(surface, rays[k] + glm::vec2(0.5F, 0)) -
+                                        between(surface, rays[k] - glm::vec2(0.5F, 0));
+                const glm::vec3 below = between(surface, rays[k] + glm::vec2(0, 0.5F)) -
+                                        between(surface, rays[k] - glm::vec2(0, 0.5F));
+                const float rr = glm::dot(right, right), rb = glm::dot(right, below),
+                            bb = glm::dot(below, below);
                 const float r = glm::dot(pull, right), b = glm::dot(pull, below);
                 const float area2 = std::max(rr * bb - rb * rb, 1e-3F * rr * bb);
                 const glm::vec2 slide((r * bb - b * rb) / area2, (b * rr - r * rb) / area2);

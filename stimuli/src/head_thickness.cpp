@@ -31,10 +31,11 @@ Scene scene_of(RTCDevice device, const Mesh& mesh) {
     Scene scene(rtcNewScene(device), &rtcReleaseScene);
     rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
     const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* places = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                               3 * sizeof(float), mesh.vertices.size()));
-    auto* corners = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), mesh.indices.size() / 3));
+    auto* places = static_cast<float*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.vertices.size()));
+    auto* corners = static_cast<std::uint32_t*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                3 * sizeof(std::uint32_t), mesh.indices.size() / 3));
     if (!places || !corners) {
         throw support::failure("thickness: Embree: no memory");
     }
@@ -84,7 +85,8 @@ float way_through(RTCScene scene, glm::vec3 from, glm::vec3 direction) {
 std::vector<float> thickness_mm(const Mesh& mesh) {
     const Device device(rtcNewDevice(nullptr), &rtcReleaseDevice);
     if (!device) {
-        throw support::failure("thickness: Embree cannot start (error {})", static_cast<int>(rtcGetDeviceError(nullptr)));
+        throw support::failure("thickness: Embree cannot start (error {})",
+                               static_cast<int>(rtcGetDeviceError(nullptr)));
     }
     const Scene scene = scene_of(device.get(), mesh);
     const auto cone = inward_cone();
@@ -121,8 +123,10 @@ renderer::scene::Image thickness_map(const Mesh& mesh) {
         // Reach one texel over the edge, so that the poles' empty corners are filled, too.
         const glm::vec2 low = glm::min(glm::min(at[0], at[1]), at[2]) - 1.0F,
                         high = glm::max(glm::max(at[0], at[1]), at[2]) + 1.0F;
-        for (int y = std::max(static_cast<int>(low.y), 0); y <= std::min(static_cast<int>(high.y), size - 1); ++y) {
-            for (int x = std::max(static_cast<int>(low.x), 0); x <= std::min(static_cast<int>(high.x), size - 1); ++x) {
+        for (int y = std::max(static_cast<int>(low.y), 0); y <= std::min(static_cast<int>(high.y), size - 1);
+             ++y) {
+            for (int x = std::max(static_cast<int>(low.x), 0);
+                 x <= std::min(static_cast<int>(high.x), size - 1); ++x) {
                 const glm::vec2 rel = glm::vec2(x, y) - at[0];
                 const float b = (rel.x * v.y - rel.y * v.x) / area, c = (u.x * rel.y - u.y * rel.x) / area;
                 const bool inside = b >= 0 && c >= 0 && b + c <= 1;
