@@ -34,7 +34,7 @@ constexpr Spectrum deoxygenated{223296, 303956, 407560, 528600, 413280, 103292, 
 
 constexpr double epidermis_mm = 0.06;
 constexpr double oxygen_share = 0.85;   // of the blood
-constexpr double eumelanin_share = 0.7; // of the melanin; the rest is pheomelanin
+constexpr double eumelanin_share = 0.85; // of the melanin; the rest is pheomelanin
 constexpr double blood_per_extinction =
     2.303 * 150 / 64500 / 10; // whole blood: 150 g/l of 64,500 g/mol, per mm
 

@@ -12,6 +12,7 @@
 
 #include <head_thickness.h>
 #include <renderer/scene/gltf.h>
+#include <support/error.h>
 
 #include "head_under_test.h"
 #include "small_set.h"

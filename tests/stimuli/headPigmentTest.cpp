@@ -32,9 +32,9 @@ TEST(HeadPigmentTest, putsTheSkinTypesIntoTheColourClassesOfPeople) {
         double low_deg, high_deg;
     };
     constexpr std::array<Class, 6> classes{{{0.006F, 55, 90},
-                                            {0.0125F, 41, 60},
-                                            {0.030F, 28, 45},
-                                            {0.060F, 10, 28},
+                                            {0.0175F, 41, 55},
+                                            {0.033F, 28, 41},
+                                            {0.065F, 10, 28},
                                             {0.13F, -30, 10},
                                             {0.27F, -90, -30}}};
     for (const Class& skin : classes) {
