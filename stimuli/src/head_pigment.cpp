@@ -32,8 +32,7 @@ constexpr Spectrum deoxygenated{223296, 303956, 407560, 528600, 413280, 103292, 
                                 53788,  45072,  37020,  28324,  14677,  9444,   6510,  5149,
                                 4345,   3750,   3227,   2795,   2408,   2052,   1794};
 
-constexpr double epidermis_mm = 0.06;
-constexpr double oxygen_share = 0.85;   // of the blood
+constexpr double oxygen_share = 0.85;    // of the blood
 constexpr double eumelanin_share = 0.85; // of the melanin; the rest is pheomelanin
 constexpr double blood_per_extinction =
     2.303 * 150 / 64500 / 10; // whole blood: 150 g/l of 64,500 g/mol, per mm
@@ -56,7 +55,7 @@ glm::dvec3 observer(double nm) {
 /// 0.6 that fair skin reflects.
 double bare(double nm) { return 8.53 * std::exp(-(nm - 154) / 66.2); }
 
-double reflectance(const Pigment& pigment, std::size_t band) {
+double reflectance(const Pigment& pigment, double epidermis_mm, std::size_t band) {
     const double nm = first_nm + step_nm * static_cast<double>(band);
     const double melanin = static_cast<double>(pigment.melanin), blood = static_cast<double>(pigment.blood);
     const double in_melanin =
@@ -96,12 +95,12 @@ float amount_at(int step, float most, int steps) {
 
 } // namespace
 
-glm::vec3 skin_colour_exact(const Pigment& pigment) {
+glm::vec3 skin_colour_exact(const Pigment& pigment, double epidermis_mm) {
     glm::dvec3 sum(0), white(0);
     for (std::size_t band = 0; band < bands; ++band) {
         const glm::dvec3 seen = daylight[band] * observer(first_nm + step_nm * static_cast<double>(band));
         white += seen;
-        sum += seen * reflectance(pigment, band);
+        sum += seen * reflectance(pigment, epidermis_mm, band);
     }
     // Scale to the white of Rec. 709, which takes up what the fitted functions and the wide bands leave.
     const glm::dvec3 xyz = sum / white * glm::dvec3(0.95047, 1, 1.08883);
@@ -111,11 +110,12 @@ glm::vec3 skin_colour_exact(const Pigment& pigment) {
     return glm::max(glm::vec3(rgb), glm::vec3(0));
 }
 
-SkinColours::SkinColours() {
+SkinColours::SkinColours(double epidermis_mm) {
     for (int m = 0; m <= melanin_steps; ++m) {
         for (int b = 0; b <= blood_steps; ++b) {
             table_.push_back(skin_colour_exact(
-                {amount_at(m, most_melanin, melanin_steps), amount_at(b, most_blood, blood_steps)}));
+                {amount_at(m, most_melanin, melanin_steps), amount_at(b, most_blood, blood_steps)},
+                epidermis_mm));
         }
     }
 }

@@ -30,7 +30,7 @@ constexpr std::array<Patch, 17> patches{{
     {{0, -40, 110}, {13, 11, 18}, 0.055F, 0.05F},  // tip of the nose
     {{13, -44, 95}, {7, 9, 12}, 0.055F, 0.10F},    // its wings
     {{0, -12, 98}, {7, 16, 20}, -0.004F, 0.05F},   // its bridge
-    {{44, -36, 72}, {19, 17, 30}, 0.058F, -0.10F}, // cheeks
+    {{44, -36, 72}, {19, 17, 30}, 0.042F, -0.10F}, // cheeks
     {{60, -52, 46}, {17, 20, 26}, 0.018F, 0.0F},   // their sides
     {{30, -17, 82}, {18, 6, 20}, 0.004F, 0.22F},   // below the eyes
     {{31, 0, 82}, {18, 9, 18}, 0.022F, 0.26F},     // lids and sockets
@@ -79,7 +79,10 @@ public:
     /// light leaves.
     glm::vec3 operator()(glm::vec3 place, float texel_mm) const {
         const glm::vec3 p = person_.fold(place);
-        const glm::vec3 skin = colours_(pigment_at(p, place));
+        const Pigment pigment = pigment_at(p, place);
+        const float lips = on_lips(p);
+        const glm::vec3 skin =
+            lips > 0 ? glm::mix(colours_(pigment), lip_colours_(pigment), lips) : colours_(pigment);
         const float nostril =
             std::exp(-square((p.x - 7.2F) / 3.8F) - square((p.y + 52.5F) / 2.6F) - square((p.z - 99) / 8));
         const float parting = smooth_step(mouth_half_width + 1.5F, mouth_half_width - 4, p.x) *
@@ -111,7 +114,7 @@ private:
 
         const float lips = on_lips(p);
         if (lips > 0) {
-            const float full = 0.15F - 0.04F * std::clamp(age, 0.0F, 1.0F);
+            const float full = 0.11F - 0.04F * std::clamp(age, 0.0F, 1.0F);
             blood = glm::mix(blood, full * (1 + 0.25F * noise_(place * glm::vec3(0.7F, 0.15F, 0.3F))), lips);
             relative = glm::mix(relative, 0.9F, lips);
         }
@@ -176,7 +179,7 @@ private:
     const Person& person_;
     Noise noise_, spots_;
     Hairs hairs_;
-    SkinColours colours_;
+    SkinColours colours_, lip_colours_{lip_epidermis_mm};
     float freckled_, bearded_;
 };
 
