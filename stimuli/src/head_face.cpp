@@ -47,7 +47,7 @@ constexpr std::array<Lump, 9> ageing{{
     {{52, -50, 56}, {15, 15, 24}, -1.6F},   // hollow cheeks
     {{33, -97, 66}, {12, 11, 18}, 2.6F},    // jowls
     {{24, -92, 78}, {5, 10, 14}, -1.2F},    // before them
-    {{0, -118, 55}, {18, 14, 26}, 1.8F},    // below the chin
+    {{0, -124, 36}, {16, 9, 16}, 1.6F},     // below the chin
     {{0, -64, 98}, {20, 8, 18}, -1.0F},     // thinner upper lip
 }};
 

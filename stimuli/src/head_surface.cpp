@@ -173,7 +173,12 @@ void spread_evenly(std::vector<glm::vec2>& rays, const Surface& surface, const s
             const float level = smooth_step(0.06F, 0.14F, v) * smooth_step(0.90F, 0.84F, v);
             for (int i = 1; i < columns; ++i) {
                 const float side = std::abs(azimuths[static_cast<std::size_t>(i)]);
-                const float free = 0.45F * level * smooth_step(1.25F, 1.0F, side);
+                // Below the nose rays graze what hangs over; there they stay as they are.
+                const glm::vec3& first = surface.at(i, j);
+                const float below_nose = smooth_step(75, 82, first.z) *
+                                         smooth_step(26, 17, std::abs(first.x)) *
+                                         smooth_step(-66, -59, first.y) * smooth_step(-36, -42, first.y);
+                const float free = 0.45F * level * smooth_step(1.25F, 1.0F, side) * (1 - below_nose);
                 if (free <= 0) {
                     continue;
                 }

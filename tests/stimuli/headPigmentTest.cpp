@@ -51,13 +51,13 @@ TEST(HeadPigmentTest, putsTheSkinTypesIntoTheColourClassesOfPeople) {
 }
 
 TEST(HeadPigmentTest, darkensWithMelaninAndReddensWithBlood) {
-    for (const float blood : {0.005F, 0.03F, 0.15F}) {
+    for (const float blood : {0.005F, 0.02F, 0.06F}) {
         for (float melanin = 0.005F; melanin < 0.45F; melanin += 0.02F) {
             const glm::vec3 less = skin_colour_exact({melanin, blood}),
                             more = skin_colour_exact({melanin + 0.02F, blood}),
                             flushed = skin_colour_exact({melanin, 1.3F * blood});
             EXPECT_TRUE(glm::all(glm::lessThan(more, less))) << melanin;
-            if (melanin < 0.07F) { // more melanin hides the blood
+            if (melanin < 0.05F) { // more melanin hides the blood
                 EXPECT_GT(flushed.x / flushed.y, less.x / less.y) << melanin << ' ' << blood;
             }
         }

@@ -238,8 +238,8 @@ TEST(HeadTest, stretchesTheFaceLittleInItsMap) {
         all_mm2 += mm2;
         even_mm2 += half_sum + spread < 4 * (half_sum - spread) ? mm2 : 0;
     }
-    // What is left hangs over: below the nose's wings and tip, and the lips' undersides.
-    EXPECT_GT(even_mm2, 0.93 * all_mm2);
+    // What is left hangs over: the nose's underside and flanks, and the lips'.
+    EXPECT_GT(even_mm2, 0.9 * all_mm2);
 }
 
 TEST(HeadTest, isTheSameEveryTime) {
