@@ -12,6 +12,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "head_command.h"
+
 namespace stimuli {
 namespace {
 
@@ -163,6 +165,7 @@ void add_command(CLI::App& app) {
         }
         run(arguments->request, arguments->explain);
     });
+    add_head_command(app);
 }
 
 } // namespace stimuli

@@ -19,16 +19,16 @@ struct Lump {
 
 constexpr std::array<Lump, 18> lumps{{
     {{27, 50, 88}, {22, 18, 30}, 1.6F},       // frontal eminence
-    {{23, 18, 90}, {17, 9, 22}, 1.6F},        // brow ridge
+    {{23, 18, 90}, {17, 8, 22}, 2.5F},        // brow ridge
     {{43, 12, 77}, {10, 7, 16}, 1.6F},        // its outer end
     {{32, 9.5F, 82}, {14, 6, 16}, 3.0F},      // soft tissue between brow and lid
     {{66, 24, 45}, {16, 20, 24}, -3.5F},      // temple
-    {{18, -1, 84}, {8, 9, 20}, -3.2F},        // inner corner of the socket
+    {{18, -1, 84}, {8, 9, 20}, -4.3F},        // inner corner of the socket
     {{36, -14, 80}, {15, 6, 18}, -0.8F},      // below the lower lid
     {{50, -3, 66}, {7, 8, 16}, -1.0F},        // outer corner
     {{45, -28, 74}, {17, 13, 24}, 5.5F},      // cheekbone
     {{62, -20, 48}, {12, 10, 22}, 1.8F},      // its arch towards the ear
-    {{48, -52, 60}, {17, 17, 26}, 1.8F},      // fat of the cheek
+    {{48, -52, 60}, {18, 18, 28}, 3.2F},      // fat of the cheek
     {{0, -68, 92}, {21, 17, 22}, 3.8F},       // teeth carry the lips
     {{31, -66, 78}, {8, 12, 16}, 1.6F},       // fullness beside the mouth
     {{0, -89.5F, 92}, {17, 4.5F, 18}, -3.4F}, // groove above the chin
@@ -36,6 +36,19 @@ constexpr std::array<Lump, 18> lumps{{
     {{27, -101, 72}, {12, 9, 16}, -0.8F},     // beside the chin
     {{0, -7, 84}, {40, 16, 22}, -1.0F},       // middle of the face
     {{49, -82, 12}, {16, 16, 22}, 2.0F},      // angle of the jaw
+}};
+
+/// What fifty years, from 20 to 70, add.
+constexpr std::array<Lump, 9> ageing{{
+    {{32, -15, 82}, {13, 4.5F, 16}, 1.5F},  // bags below the eyes
+    {{33, -22, 80}, {17, 3.5F, 18}, -1.3F}, // and the groove below them
+    {{38, 8, 80}, {16, 5, 18}, 1.2F},       // skin that hangs over the lid
+    {{60, 22, 48}, {16, 18, 24}, -2.0F},    // temples
+    {{52, -50, 56}, {15, 15, 24}, -1.6F},   // hollow cheeks
+    {{33, -97, 66}, {12, 11, 18}, 2.6F},    // jowls
+    {{24, -92, 78}, {5, 10, 14}, -1.2F},    // before them
+    {{0, -124, 36}, {16, 9, 16}, 1.6F},     // below the chin
+    {{0, -64, 98}, {20, 8, 18}, -1.0F},     // thinner upper lip
 }};
 
 float lump_height(const Lump& lump, glm::vec3 p) {
@@ -49,20 +62,20 @@ float add_nose(float skin, glm::vec3 p) {
         return skin;
     }
     // Bone and cartilage of the bridge, wide flanks, the tip, and the septum down to the lip.
-    const float bridge = capsule(p, {0, 6, 83}, {0, -33, 104}, 5.2F, 7.2F);
-    const float flank = capsule(p, {4, 0, 79}, {9.5F, -38, 88}, 5.5F, 8.5F);
+    const float bridge = capsule(p, {0, 6, 83.5F}, {0, -33, 104.5F}, 4.7F, 6.9F);
+    const float flank = capsule(p, {4, 0, 79}, {9.3F, -38, 89}, 5.3F, 8.4F);
     const float tip = glm::length((p - nose_tip) / glm::vec3(1.15F, 1, 1)) - 9.3F;
     const float septum = capsule(p, {0, -44, 104}, {0, -51, 91}, 4.6F, 5.4F);
-    float nose = join(bridge, flank, 13);
-    nose = join(nose, tip, 10);
+    float nose = join(bridge, flank, 12);
+    nose = join(nose, tip, 12);
     skin = join(skin, nose, 11);
     skin = join(skin, septum, 5);
 
     // The wings sit on the cheeks with a crease around them; the nostrils open below.
     const float wing = capsule(p, {13.6F, -44.2F, 90}, {6.5F, -42.5F, 101}, 5.6F, 5.4F);
-    skin += 0.9F * bell(wing - 0.6F, 1.9F) * smooth_step(102, 94, p.z);
-    skin = join(skin, wing, 3.5F);
-    const float nostril = ellipsoid(p, {7.4F, -53.0F, 98}, {3.6F, 5.2F, 6.4F});
+    skin += 1.1F * bell(wing - 0.6F, 1.9F) * smooth_step(102, 94, p.z);
+    skin = join(skin, wing, 2.8F);
+    const float nostril = ellipsoid(p, {7.4F, -52.2F, 98.8F}, {3.9F, 5.4F, 6.4F});
     return carve(skin, -nostril, 2.5F);
 }
 
@@ -71,7 +84,7 @@ float add_eye(float skin, glm::vec3 p) {
         return skin;
     }
     const float ball = glm::length(p - eye_centre) - eye_radius;
-    skin = join(skin, ball, 10);
+    skin = join(skin, ball, 12);
 
     // The upper lid ends in an edge on the lower one; a fold parts it from the brow, a faint one the lower
     // lid from the cheek.
@@ -81,7 +94,7 @@ float add_eye(float skin, glm::vec3 p) {
     const float lower_rim = bell(above + 2.2F, 1.6F);
     const float fold = bell(p.y - lid_fold_y(p.x), 1.7F);
     const float lower_fold = bell(above + 9 - 3 * square(s - 0.5F), 1.8F);
-    return skin - inside * (1.2F * upper_lid + 0.35F * lower_rim - 0.7F * fold - 0.25F * lower_fold);
+    return skin - inside * (0.9F * upper_lid + 0.35F * lower_rim - 0.55F * fold - 0.25F * lower_fold);
 }
 
 float add_mouth(float skin, glm::vec3 p) {
@@ -110,20 +123,21 @@ float add_mouth(float skin, glm::vec3 p) {
 }
 
 /// The fold from the nose's wing to beside the mouth: a rounded step from the cheek down to the lip.
-float add_nasolabial_fold(float skin, glm::vec3 p) {
+float add_nasolabial_fold(const Person& person, float skin, glm::vec3 p) {
     if (p.z < 50 || p.y > -30 || p.y < -90) {
         return skin;
     }
     const float t = std::clamp((-40 - p.y) / 38, -0.2F, 1.2F);
     const float outside = p.x - (19.5F + 13.5F * t - 1.5F * arch(t));
     const float present = smooth_step(-0.15F, 0.2F, t) * smooth_step(1.1F, 0.45F, t);
-    return skin - present * (0.9F * smooth_step(-5, 5, outside) * smooth_step(17, 5, outside) -
-                             0.5F * bell(outside + 1, 2.6F));
+    return skin - (0.55F + 0.9F * std::max(person.age, 0.0F)) * present *
+                      (0.9F * smooth_step(-5, 5, outside) * smooth_step(17, 5, outside) -
+                       0.5F * bell(outside + 1, 2.6F));
 }
 
 } // namespace
 
-float add_face(float skull, glm::vec3 p) {
+float add_face(const Person& person, float skull, glm::vec3 p) {
     if (skull > 45 || skull < -30) {
         return skull;
     }
@@ -131,7 +145,10 @@ float add_face(float skull, glm::vec3 p) {
     for (const Lump& lump : lumps) {
         skin -= lump_height(lump, p);
     }
-    skin = add_nasolabial_fold(skin, p);
+    for (const Lump& lump : ageing) {
+        skin -= std::max(person.age, 0.0F) * lump_height(lump, p);
+    }
+    skin = add_nasolabial_fold(person, skin, p);
     skin = add_mouth(skin, p);
     skin = add_eye(skin, p);
     return add_nose(skin, p);

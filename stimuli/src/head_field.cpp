@@ -118,19 +118,10 @@ float ellipsoid(glm::vec3 place, glm::vec3 centre, glm::vec3 radii) {
     return slope > 0 ? scale * (scale - 1) / slope : -std::min({radii.x, radii.y, radii.z});
 }
 
-glm::vec3 fold(glm::vec3 p) {
-    // Make the two sides differ a little, as all faces do.
-    p.x += 0.7F * std::sin(0.021F * p.y + 0.4F) * smooth_step(-160, -110, p.y);
-    p.y += 0.6F * std::sin(0.03F * p.x) * smooth_step(20, 70, p.z);
-
-    // Round the fold, so that no crease runs down the midline.
-    return {std::sqrt(p.x * p.x + 1.5F), p.y, p.z};
-}
-
-float field(glm::vec3 place_mm) {
-    const glm::vec3 p = fold(place_mm);
+float field(const Person& person, glm::vec3 place_mm) {
+    const glm::vec3 p = person.fold(place_mm);
     const float body = join(skull(p), bust(p), 14);
-    const float skin = p.z > -40 && p.y < 90 && p.y > -135 ? add_face(body, p) : body;
+    const float skin = p.z > -40 && p.y < 90 && p.y > -135 ? add_face(person, body, p) : body;
     constexpr float floor_y = -252;
     return carve(skin, floor_y - p.y, 12);
 }

@@ -5,13 +5,12 @@
 
 #include <glm/glm.hpp>
 
+#include "head_person.h"
+
 namespace stimuli::head {
 
-/// The place on the half head of x >= 0 in which the features are described.
-glm::vec3 fold(glm::vec3 place_mm);
-
 /// Roughly the distance to the skin of the head without its ears, in millimetres, negative inside.
-float field(glm::vec3 place_mm);
+float field(const Person& person, glm::vec3 place_mm);
 
 /// Smooth union and intersection of two fields, rounded over `width_mm`.
 float join(float a, float b, float width_mm);
@@ -23,6 +22,6 @@ float capsule(glm::vec3 place, glm::vec3 from, glm::vec3 to, float from_radius, 
 float ellipsoid(glm::vec3 place, glm::vec3 centre, glm::vec3 radii);
 
 /// Soft tissue added to the skull's field: brows, cheeks, nose, eyes, mouth, chin. `place` has x >= 0.
-float add_face(float skull, glm::vec3 place);
+float add_face(const Person& person, float skull, glm::vec3 place);
 
 } // namespace stimuli::head

@@ -60,7 +60,7 @@ inline float brow_y(float x) {
 /// edge.
 inline float lip_top_y(float x) {
     const float s = std::min(x / mouth_half_width, 1.0F);
-    return -64.6F - 6.8F * std::pow(s, 1.5F) + 1.5F * bell(x - 5.5F, 4.0F);
+    return -64.2F - 6.8F * std::pow(s, 1.5F) + 1.5F * bell(x - 5.5F, 4.0F);
 }
 inline float lip_line_y(float x) {
     const float s = std::min(x / mouth_half_width, 1.0F);
@@ -68,7 +68,7 @@ inline float lip_line_y(float x) {
 }
 inline float lip_bottom_y(float x) {
     const float s = std::min(x / mouth_half_width, 1.0F);
-    return -71.6F - 10.0F * std::pow(1 - s * s, 0.75F);
+    return -71.6F - 10.6F * std::pow(1 - s * s, 0.75F);
 }
 
 } // namespace stimuli::head

@@ -3,10 +3,7 @@
 
 #include "head_maps.h"
 
-#include <glm/gtc/constants.hpp>
-
 #include "head_landmarks.h"
-#include "head_noise.h"
 
 namespace stimuli::head {
 
@@ -35,47 +32,6 @@ glm::vec3 Atlas::along_v(int x, int y) const {
 std::size_t Atlas::index(int x, int y) {
     const int column = (x % map_size + map_size) % map_size, row = std::clamp(y, 0, map_size - 1);
     return static_cast<std::size_t>(row) * map_size + static_cast<std::size_t>(column);
-}
-
-float brow_hair(const Noise& noise, glm::vec3 folded, glm::vec3 place_mm) {
-    if (folded.x < 5 || folded.x > 62 || folded.y < 0 || folded.y > 32 || folded.z < 30) {
-        return 0;
-    }
-    // The brow is a band, full from its inner end to the arch and thinning outwards.
-    const float s = (folded.x - 9) / 48, offset = folded.y - brow_y(folded.x);
-    const float half_height = 5.6F - 2.8F * std::clamp(s, 0.0F, 1.0F);
-    const float band =
-        bell(offset, half_height) * smooth_step(-0.06F, 0.16F, s) * smooth_step(1.04F, 0.6F, s);
-
-    // Hairs stand up at the inner end and lie down along the brow farther out.
-    float hair = 0;
-    for (const float turn : {-0.25F, 0.2F}) {
-        const float angle = std::clamp(1.15F - 1.5F * s + turn, -0.35F, 1.3F);
-        const float along = std::cos(angle) * folded.x + std::sin(angle) * folded.y;
-        const float across = std::cos(angle) * folded.y - std::sin(angle) * folded.x;
-        const float side = place_mm.x < 0 ? 40.0F : 0.0F;
-        const float strand = noise({across * 1.45F, along * 0.16F + side, turn * 50});
-        hair = std::max(hair, smooth_step(0.0F, 0.45F, strand + 0.6F * band - 0.28F));
-    }
-    return std::min(band * (0.25F + 0.85F * hair), 1.0F);
-}
-
-float lashes(const Noise& noise, glm::vec3 folded, glm::vec3 place_mm) {
-    const float s = along_eye(folded.x);
-    if (s < -0.05F || s > 1.12F || folded.z < 40) {
-        return 0;
-    }
-    // A dark seam where the lids meet, and hairs that hang from it and lean outwards.
-    const float below = lid_line_y(folded.x) - folded.y;
-    const float present = smooth_step(-0.02F, 0.12F, s) * smooth_step(1.1F, 0.95F, s);
-    const float seam = bell(below - 0.1F, 0.6F);
-    constexpr float lash_spacing_mm = 1.1F;
-    const float length = 1.5F + 3.0F * smooth_step(0.05F, 0.75F, s);
-    const float lean = folded.x - (s - 0.35F) * 0.8F * std::max(below, 0.0F);
-    const float uneven = noise({lean * 0.5F, place_mm.x < 0 ? 70.5F : 3.5F, 0.5F});
-    const float strand = bell(std::sin(glm::pi<float>() * (lean / lash_spacing_mm + 0.9F * uneven)), 0.5F);
-    const float hair = strand * smooth_step(-0.3F, 0.3F, below) * smooth_step(length, 0.3F * length, below);
-    return present * std::max(seam, 0.9F * hair);
 }
 
 float on_lips(glm::vec3 folded) {

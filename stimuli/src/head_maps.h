@@ -4,18 +4,22 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <glm/glm.hpp>
 #include <renderer/scene/model.h>
+#include <tbb/parallel_for.h>
 
-#include "head_noise.h"
+#include "head_person.h"
 #include "head_surface.h"
 
 namespace stimuli::head {
 
-constexpr int map_size = 1024; ///< texels along u and along v
+constexpr int map_size = 2048; ///< texels along u and along v
 
 /// Where each texel's centre lies on the head, and how it stretches there.
 class Atlas {
@@ -38,17 +42,30 @@ private:
     std::vector<glm::vec3> places_;
 };
 
-/// Skin colour, sRGB.
-renderer::scene::ImagePtr albedo_map(const Atlas& atlas);
-/// Pores, fine lines, creases and hairs as tangent-space normals, green up the image, along -v.
-renderer::scene::ImagePtr normal_map(const Atlas& atlas);
-/// Perceptual roughness in green; red and blue are 0.
-renderer::scene::ImagePtr roughness_map(const Atlas& atlas);
+using Texel = std::array<std::uint8_t, 3>;
 
-/// Hair over 0 (none) to 1: brows with their single hairs, and the lashes below the lid line.
-/// `folded` is the place on the half head, `place_mm` the place itself.
-float brow_hair(const Noise& noise, glm::vec3 folded, glm::vec3 place_mm);
-float lashes(const Noise& noise, glm::vec3 folded, glm::vec3 place_mm);
+/// A map whose texels are what `texel_at(x, y)` says; several rows are made at once.
+template <typename TexelAt>
+renderer::scene::ImagePtr filled_map(const TexelAt& texel_at) {
+    auto image = std::make_shared<renderer::scene::Image>();
+    *image = {map_size, map_size, 3, std::vector<std::uint8_t>(std::size_t{3} * map_size * map_size)};
+    tbb::parallel_for(0, map_size, [&](int y) {
+        for (int x = 0; x < map_size; ++x) {
+            const Texel texel = texel_at(x, y);
+            std::copy(texel.begin(), texel.end(),
+                      image->pixels.begin() + static_cast<std::ptrdiff_t>(3 * Atlas::index(x, y)));
+        }
+    });
+    return image;
+}
+
+/// Skin colour, sRGB.
+renderer::scene::ImagePtr albedo_map(const Person& person, const Atlas& atlas);
+/// Pores, fine lines, creases and hairs as tangent-space normals, green up the image, along -v.
+renderer::scene::ImagePtr normal_map(const Person& person, const Atlas& atlas);
+/// Perceptual roughness in green; red and blue are 0.
+renderer::scene::ImagePtr roughness_map(const Person& person, const Atlas& atlas);
+
 /// 1 on the red of the lips, 0 off it.
 float on_lips(glm::vec3 folded);
 

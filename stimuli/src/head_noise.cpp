@@ -12,10 +12,10 @@
 
 namespace stimuli::head {
 
-Noise::Noise(std::string_view name) {
+Noise::Noise(std::string_view name, std::uint64_t seed) {
     std::vector<std::uint8_t> numbers(256);
     std::iota(numbers.begin(), numbers.end(), std::uint8_t{0});
-    support::Generator generator(name, 0);
+    support::Generator generator(name, seed);
     generator.shuffle(numbers);
     for (std::size_t i = 0; i < shuffled_.size(); ++i) {
         shuffled_[i] = numbers[i % numbers.size()];

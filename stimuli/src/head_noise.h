@@ -15,8 +15,8 @@ namespace stimuli::head {
 /// [Perlin2002]
 class Noise {
 public:
-    /// The same name gives the same noise.
-    explicit Noise(std::string_view name);
+    /// The same name and seed give the same noise.
+    explicit Noise(std::string_view name, std::uint64_t seed = 0);
 
     float operator()(glm::vec3 place) const;
     /// Octaves of halving size and height, as many as asked for.

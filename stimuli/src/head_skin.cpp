@@ -4,54 +4,52 @@
 #include "head_maps.h"
 
 #include <array>
-#include <cstdint>
-#include <memory>
 
-#include "head_field.h"
+#include "head_hair.h"
 #include "head_landmarks.h"
 #include "head_noise.h"
+#include "head_pigment.h"
 
 namespace stimuli::head {
 namespace {
 
-using renderer::scene::Image;
 using renderer::scene::ImagePtr;
 
-/// What colours a place, beyond the paler skin everywhere: optical densities relative to the vectors below.
-struct Pigment {
-    float melanin = 0, blood = 0;
-};
+/// Colour of single hairs, and their grey (linear Rec. 709).
+constexpr glm::vec3 brown_hair{0.030F, 0.016F, 0.010F}, grey_hair{0.30F, 0.28F, 0.26F};
 
-// Colour of skin without extra pigment (linear Rec. 709), and how strongly melanin and blood absorb red,
-// green and blue: melanin more towards blue, blood little in red and most in green.
-constexpr glm::vec3 pale_skin{0.62F, 0.395F, 0.295F};
-constexpr glm::vec3 melanin_absorption{0.42F, 0.72F, 1.0F};
-constexpr glm::vec3 blood_absorption{0.14F, 0.80F, 0.66F};
-constexpr glm::vec3 hair_colour{0.045F, 0.024F, 0.014F};
-
-/// A patch that is redder or browner than its surroundings.
+/// A patch with more blood than its surroundings (share of the dermis), and more melanin (relative to the
+/// person's own).
 struct Patch {
     glm::vec3 centre, spread; ///< mm
-    Pigment pigment;
+    float blood, melanin;
 };
 
-constexpr std::array<Patch, 11> patches{{
-    {{0, -38, 110}, {15, 13, 18}, {0.00F, 0.30F}},  // tip of the nose
-    {{13, -44, 95}, {7, 9, 12}, {0.02F, 0.26F}},    // its wings
-    {{43, -34, 74}, {19, 16, 30}, {0.00F, 0.30F}},  // cheeks
-    {{30, -20, 82}, {22, 8, 20}, {0.03F, 0.14F}},   // below the eyes
-    {{32, 0, 80}, {19, 12, 20}, {0.09F, 0.16F}},    // lids and sockets
-    {{17, -3, 78}, {6, 8, 14}, {0.13F, 0.16F}},     // inner corners
-    {{0, -104, 88}, {16, 12, 20}, {0.00F, 0.14F}},  // chin
-    {{24, 52, 86}, {34, 22, 40}, {-0.05F, 0.02F}},  // forehead
-    {{90, -17, -30}, {22, 40, 22}, {0.00F, 0.34F}}, // ears
-    {{28, -72, 84}, {6, 6, 14}, {0.05F, 0.12F}},    // corners of the mouth
-    {{31, -3, 83}, {16, 8, 14}, {0.15F, 0.10F}},    // closed lids
+constexpr float blood_everywhere = 0.017F;
+constexpr std::array<Patch, 17> patches{{
+    {{0, -40, 110}, {13, 11, 18}, 0.055F, 0.05F},  // tip of the nose
+    {{13, -44, 95}, {7, 9, 12}, 0.055F, 0.10F},    // its wings
+    {{0, -12, 98}, {7, 16, 20}, -0.004F, 0.05F},   // its bridge
+    {{44, -36, 72}, {19, 17, 30}, 0.042F, -0.10F}, // cheeks
+    {{60, -52, 46}, {17, 20, 26}, 0.018F, 0.0F},   // their sides
+    {{30, -17, 82}, {18, 6, 20}, 0.004F, 0.22F},   // below the eyes
+    {{31, 0, 82}, {18, 9, 18}, 0.022F, 0.26F},     // lids and sockets
+    {{16, -3, 78}, {6, 9, 14}, 0.024F, 0.40F},     // inner corners
+    {{31, -6, 84}, {16, 3, 14}, 0.025F, 0.10F},    // the lids' edges
+    {{0, -104, 88}, {17, 12, 20}, 0.026F, 0.05F},  // chin
+    {{0, -58, 98}, {22, 7, 20}, 0.006F, 0.10F},    // above the lip
+    {{24, 52, 86}, {34, 22, 40}, -0.002F, 0.06F},  // forehead
+    {{6, 22, 98}, {12, 12, 20}, 0.016F, 0.0F},     // between the brows
+    {{66, 22, 40}, {14, 20, 26}, -0.008F, -0.05F}, // temples
+    {{90, -17, -30}, {22, 40, 22}, 0.060F, 0.0F},  // ears
+    {{28, -72, 84}, {6, 6, 14}, 0.020F, 0.20F},    // corners of the mouth
+    {{0, -190, 20}, {60, 40, 60}, 0.012F, 0.10F},  // throat and chest
 }};
 
 float patch_weight(const Patch& patch, glm::vec3 p) {
     const glm::vec3 rel = (p - patch.centre) / patch.spread;
-    return std::exp(-glm::dot(rel, rel));
+    const float distance = glm::dot(rel, rel);
+    return distance < 12 ? std::exp(-distance) : 0;
 }
 
 /// Height of the hairline over z, from the nape over the ears to the forehead.
@@ -66,65 +64,124 @@ float hairline_y(float z) {
     return glm::mix(line[i].y, line[i + 1].y, t);
 }
 
-/// Shaven hair, in fine dots, over 0 (none) to 1: the scalp, and a little beard.
-float stubble_at(const Noise& noise, glm::vec3 p, glm::vec3 place) {
-    const float ragged = 5 * noise(place / 9.0F);
-    const float scalp = smooth_step(-9, 9, p.y - hairline_y(p.z) + ragged);
-    const float jaw = smooth_step(
-        -44, -72, p.y + 0.45F * std::max(p.x - 30, 0.0F) * smooth_step(60, 20, p.z) + 0.5F * ragged);
-    const float front = smooth_step(-5, 25, p.z) * smooth_step(-150, -122, p.y) * smooth_step(104, 98, p.z);
-    const float beard = 0.55F * jaw * front * (1 - on_lips(p)) * smooth_step(-52, -57, p.y);
-    const float all = std::max(scalp, beard);
-    return all > 0 ? all * (0.20F + 0.18F * noise(place / 0.75F)) : 0;
-}
-
-/// Small brown spots, many over the nose and the cheeks.
-float freckles(const Noise& noise, glm::vec3 p, glm::vec3 place) {
-    const float where = std::exp(-square(p.x / 52) - square((p.y + 24) / 26)) * smooth_step(30, 60, p.z);
-    if (where < 0.02F) {
-        return 0;
+/// Everything that colours one head's skin.
+class Skin {
+public:
+    explicit Skin(const Person& person)
+        : person_(person), noise_("head albedo", person.seed), spots_("head spots", person.seed),
+          hairs_(person),
+          freckled_(person.seed == 0 ? 0.5F : smooth_step(-0.3F, 0.5F, noise_({0.5F, 0.5F, 0.37F}))),
+          bearded_(person.seed == 0 ? 0.9F : smooth_step(-0.3F, 0.3F, noise_({7.5F, 0.31F, 0.5F}))) {
+        freckled_ *= smooth_step(0.10F, 0.015F, person.melanin);
     }
-    const float spots = noise(place / 1.5F + glm::vec3(31)) + 0.5F * noise(place / 9.0F);
-    return where * smooth_step(0.48F, 0.8F, spots);
-}
 
-Pigment pigment_at(const Noise& noise, glm::vec3 p, glm::vec3 place) {
-    Pigment sum{0.10F, 0.10F};
-    for (const Patch& patch : patches) {
-        const float weight = patch_weight(patch, p);
-        sum.melanin += weight * patch.pigment.melanin;
-        sum.blood += weight * patch.pigment.blood;
+    /// Linear colour of the skin with its hairs; dark in the nostrils and between the lips, where little
+    /// light leaves.
+    glm::vec3 operator()(glm::vec3 place, float texel_mm) const {
+        const glm::vec3 p = person_.fold(place);
+        const Pigment pigment = pigment_at(p, place);
+        const float lips = on_lips(p);
+        const glm::vec3 skin =
+            lips > 0 ? glm::mix(colours_(pigment), lip_colours_(pigment), lips) : colours_(pigment);
+        const float nostril =
+            std::exp(-square((p.x - 7.2F) / 3.8F) - square((p.y + 52.5F) / 2.6F) - square((p.z - 99) / 8));
+        const float parting = smooth_step(mouth_half_width + 1.5F, mouth_half_width - 4, p.x) *
+                              bell(p.y - lip_line_y(p.x), 0.7F) * smooth_step(50, 60, p.z);
+        const float lid_edge = lid_seam(p);
+        const float shade = (1 - 0.8F * nostril) * (1 - 0.72F * parting) * (1 - 0.6F * lid_edge);
+        const glm::vec3 hair_colour = glm::mix(brown_hair, grey_hair, 0.75F * person_.grey);
+        const float hair =
+            std::max(0.93F * hairs_.cover(p, place.x < 0 ? -1.0F : 1.0F, texel_mm), stubble(p, place));
+        return glm::mix(skin * shade, hair_colour, hair);
     }
-    // Mottle the skin, coarsely by its blood and finely by both.
-    sum.blood += 0.09F * noise.octaves(place / 17.0F, 2) + 0.05F * noise.octaves(place / 2.2F, 2);
-    sum.melanin += 0.05F * noise.octaves(place / 23.0F + glm::vec3(50), 2) + 0.035F * noise(place / 1.3F);
-    sum.melanin += 0.34F * freckles(noise, p, place);
 
-    const float lips = on_lips(p);
-    if (lips > 0) {
-        sum.blood += lips * (0.62F + 0.10F * noise(place * glm::vec3(0.7F, 0.15F, 0.3F)));
-        sum.melanin += 0.12F * lips;
+private:
+    Pigment pigment_at(glm::vec3 p, glm::vec3 place) const {
+        float blood = blood_everywhere, relative = 1;
+        for (const Patch& patch : patches) {
+            const float weight = patch_weight(patch, p);
+            blood += weight * patch.blood;
+            relative += weight * patch.melanin;
+        }
+        // Mottle the skin, coarsely by its blood and finely by both; sun and years make melanin patchier.
+        const float age = std::max(person_.age, 0.0F);
+        const float coarse = noise_.octaves(place / 19.0F, 3), fine = noise_.octaves(place / 2.4F, 2);
+        blood *= 1 + 0.38F * coarse + 0.20F * fine;
+        relative += 0.12F * (1 + age) * noise_.octaves(place / 14.0F + glm::vec3(50), 2) +
+                    0.08F * noise_(place / 1.1F);
+        relative += 0.12F * age + 2.4F * freckles(p, place) + 2.2F * age_spots(p, place);
+        blood += 0.010F * age * vessels(p, place);
+
+        const float lips = on_lips(p);
+        if (lips > 0) {
+            const float full = 0.11F - 0.04F * std::clamp(age, 0.0F, 1.0F);
+            blood = glm::mix(blood, full * (1 + 0.25F * noise_(place * glm::vec3(0.7F, 0.15F, 0.3F))), lips);
+            relative = glm::mix(relative, 0.9F, lips);
+        }
+        return {person_.melanin * std::max(relative, 0.2F), std::max(blood, 0.004F)};
     }
-    return sum;
-}
 
-/// Linear colour of the skin with its hairs, dark in the nostrils and between the lips, where little light
-/// leaves.
-glm::vec3 colour_at(const Noise& noise, glm::vec3 place) {
-    const glm::vec3 p = fold(place);
-    const Pigment pigment = pigment_at(noise, p, place);
-    const glm::vec3 skin =
-        pale_skin * glm::exp(-(pigment.melanin * melanin_absorption + pigment.blood * blood_absorption));
-    const float nostril =
-        std::exp(-square((p.x - 7.2F) / 3.6F) - square((p.y + 52) / 2.6F) - square((p.z - 99) / 8));
-    const float parting = smooth_step(mouth_half_width + 1.5F, mouth_half_width - 4, p.x) *
-                          bell(p.y - lip_line_y(p.x), 0.75F) * smooth_step(50, 60, p.z);
-    const float shade = (1 - 0.75F * nostril) * (1 - 0.7F * parting);
-    const float stubble = stubble_at(noise, p, place);
-    const float hair =
-        std::max({0.88F * brow_hair(noise, p, place), 0.95F * lashes(noise, p, place), stubble});
-    return glm::mix(skin * shade, hair_colour, hair);
-}
+    /// Small brown spots, many over the nose and the cheeks.
+    float freckles(glm::vec3 p, glm::vec3 place) const {
+        const float where =
+            freckled_ * std::exp(-square(p.x / 56) - square((p.y + 22) / 28)) * smooth_step(30, 60, p.z);
+        if (where < 0.02F) {
+            return 0;
+        }
+        return where *
+               smooth_step(0.42F, 0.75F, spots_(place / 1.6F + glm::vec3(31)) + 0.5F * spots_(place / 9.0F));
+    }
+
+    /// Broad flat spots that come with age, on temples, cheeks and scalp.
+    float age_spots(glm::vec3 p, glm::vec3 place) const {
+        const float years = smooth_step(0.45F, 1.25F, person_.age);
+        if (years <= 0 || p.y < -95) {
+            return 0;
+        }
+        const float where = years * (0.35F + 0.65F * smooth_step(25, 50, p.x));
+        const float edge = spots_.octaves(place / 7.5F + glm::vec3(70), 3);
+        return where * smooth_step(0.62F - 0.12F * years, 0.75F, edge);
+    }
+
+    /// Fine widened vessels over cheeks and nose.
+    float vessels(glm::vec3 p, glm::vec3 place) const {
+        const float where =
+            std::exp(-square((p.x - 30) / 28) - square((p.y + 36) / 16)) * smooth_step(45, 70, p.z);
+        return where < 0.03F ? 0 : where * bell(spots_(place / 3.1F + 0.4F * noise_(place / 1.4F)), 0.10F);
+    }
+
+    /// Shaven hair, in fine dots, over 0 (none) to 1: the scalp, and a little beard.
+    float stubble(glm::vec3 p, glm::vec3 place) const {
+        const float ragged = 5 * noise_(place / 9.0F);
+        const float scalp = 0.8F * smooth_step(-9, 9, p.y - hairline_y(p.z) + ragged);
+        const float jaw = smooth_step(
+            -46, -70, p.y + 0.45F * std::max(p.x - 30, 0.0F) * smooth_step(60, 20, p.z) + 0.5F * ragged);
+        const float front =
+            smooth_step(-5, 25, p.z) * smooth_step(-150, -122, p.y) * smooth_step(106, 100, p.z);
+        const float beard = bearded_ * jaw * front * (1 - on_lips(p)) * smooth_step(-51, -56, p.y);
+        const float all = std::max(scalp, beard) * (1 - 0.5F * person_.grey);
+        if (all <= 0) {
+            return 0;
+        }
+        const float dots = smooth_step(0.28F, 0.55F, spots_(place / 0.7F));
+        return all * (0.10F + 0.55F * dots);
+    }
+
+    float lid_seam(glm::vec3 p) const {
+        const float s = along_eye(p.x);
+        if (p.z < 40 || s < -0.05F || s > 1.1F) {
+            return 0;
+        }
+        return smooth_step(-0.03F, 0.1F, s) * smooth_step(1.08F, 0.95F, s) *
+               bell(p.y - lid_line_y(p.x), 0.55F);
+    }
+
+    const Person& person_;
+    Noise noise_, spots_;
+    Hairs hairs_;
+    SkinColours colours_, lip_colours_{lip_epidermis_mm};
+    float freckled_, bearded_;
+};
 
 std::uint8_t srgb_byte(float linear) {
     const float clamped = std::clamp(linear, 0.0F, 1.0F);
@@ -135,41 +192,31 @@ std::uint8_t srgb_byte(float linear) {
 
 } // namespace
 
-ImagePtr albedo_map(const Atlas& atlas) {
-    const Noise noise("head albedo");
-    auto image = std::make_shared<Image>(Image{map_size, map_size, 3, {}});
-    image->pixels.reserve(static_cast<std::size_t>(map_size) * map_size * 3);
-    for (int y = 0; y < map_size; ++y) {
-        for (int x = 0; x < map_size; ++x) {
-            const glm::vec3 colour = colour_at(noise, atlas.place_mm(x, y));
-            for (int k = 0; k < 3; ++k) {
-                image->pixels.push_back(srgb_byte(colour[k]));
-            }
-        }
-    }
-    return image;
+ImagePtr albedo_map(const Person& person, const Atlas& atlas) {
+    const Skin skin(person);
+    return filled_map([&](int x, int y) -> Texel {
+        const glm::vec3 colour = skin(atlas.place_mm(x, y), atlas.texel_mm(x, y));
+        return {srgb_byte(colour.x), srgb_byte(colour.y), srgb_byte(colour.z)};
+    });
 }
 
-ImagePtr roughness_map(const Atlas& atlas) {
-    const Noise noise("head roughness");
-    auto image = std::make_shared<Image>(Image{map_size, map_size, 3, {}});
-    image->pixels.reserve(static_cast<std::size_t>(map_size) * map_size * 3);
-    for (int y = 0; y < map_size; ++y) {
-        for (int x = 0; x < map_size; ++x) {
-            // Nose and forehead are oily, the lips moist, the rest dry.
-            const glm::vec3 place = atlas.place_mm(x, y), p = fold(place);
-            const float nose =
-                std::exp(-square(p.x / 18) - square((p.y + 32) / 22)) * smooth_step(70, 85, p.z);
-            const float forehead =
-                std::exp(-square(p.x / 42) - square((p.y - 42) / 24)) * smooth_step(40, 70, p.z);
-            const float uneven = 0.05F * noise.octaves(place / 4.0F, 2);
-            const float roughness = 0.52F - 0.11F * nose - 0.08F * forehead - 0.10F * on_lips(p) + uneven;
-            const float kept = std::clamp(roughness, 0.35F, 0.6F);
-            image->pixels.insert(image->pixels.end(),
-                                 {0, static_cast<std::uint8_t>(std::lround(kept * 255)), 0});
-        }
-    }
-    return image;
+ImagePtr roughness_map(const Person& person, const Atlas& atlas) {
+    const Noise noise("head roughness", person.seed);
+    return filled_map([&](int x, int y) -> Texel {
+        // Nose and forehead are oily, the lips moist, the rest dry, and drier with age.
+        const glm::vec3 place = atlas.place_mm(x, y), p = person.fold(place);
+        const float nose = std::exp(-square(p.x / 18) - square((p.y + 32) / 22)) * smooth_step(70, 85, p.z);
+        const float forehead =
+            std::exp(-square(p.x / 42) - square((p.y - 42) / 24)) * smooth_step(40, 70, p.z);
+        const float cheek =
+            std::exp(-square((p.x - 42) / 16) - square((p.y + 26) / 13)) * smooth_step(40, 70, p.z);
+        const float uneven = 0.05F * noise.octaves(place / 4.0F, 2) + 0.03F * noise(place / 0.7F);
+        const float dry = 0.03F * std::clamp(person.age - 0.5F, -0.5F, 1.0F);
+        const float roughness =
+            0.46F + dry - 0.10F * nose - 0.07F * forehead - 0.05F * cheek - 0.12F * on_lips(p) + uneven;
+        const float kept = std::clamp(roughness, 0.35F, 0.6F);
+        return {0, static_cast<std::uint8_t>(std::lround(kept * 255)), 0};
+    });
 }
 
 } // namespace stimuli::head

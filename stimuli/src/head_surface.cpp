@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <numbers>
 
+#include <tbb/parallel_for.h>
+
 #include "head_field.h"
 #include "head_landmarks.h"
 
@@ -32,9 +34,9 @@ constexpr std::array<RayRow, 13> ray_rows{{
     {0.100F, 40, -9, 20, 20},
     {0.160F, 30, -8, 4, 4},
     {0.330F, 3, -6, 0, 0},
-    {0.640F, -50, -4, -3, 0},
-    {0.780F, -66, -6, -20, -5},
-    {0.855F, -84, -12, -36, -8},
+    {0.600F, -50, -4, -3, 0},
+    {0.750F, -66, -6, -20, -5},
+    {0.845F, -84, -12, -36, -8},
     {0.895F, -118, -24, -20, -6},
     {0.925F, -158, -34, -6, -3},
     {0.965F, -222, -46, 4, 4},
@@ -71,8 +73,8 @@ RayRow ray_row_at(float v) {
 /// How many columns a degree around the head deserves: many on the face, more at the ears, few behind.
 float column_density(float azimuth_deg) {
     const float side = std::abs(azimuth_deg);
-    return 0.26F + 0.74F * std::exp(-std::pow(side / 70, 4.0F)) + 0.2F * bell(side, 18) +
-           1.0F * bell(side - 95, 15);
+    return 0.15F + 1.07F * std::exp(-std::pow(side / 64, 4.0F)) + 0.2F * bell(side, 18) +
+           0.9F * bell(side - 95, 15);
 }
 
 /// Azimuths of the columns in radians, from -pi to pi, 0 in front.
@@ -99,11 +101,11 @@ std::vector<float> column_azimuths() {
 }
 
 /// The outermost place on a ray where the field changes its sign.
-glm::vec3 outermost_skin(glm::vec3 start, glm::vec3 direction) {
+glm::vec3 outermost_skin(const Person& person, glm::vec3 start, glm::vec3 direction) {
     // Walk in from outside in steps that cannot leap over a thin part, then halve the last step.
     float outside = 260, inside = 0;
     for (float at = outside; at > 0;) {
-        const float distance = field(start + direction * at);
+        const float distance = field(person, start + direction * at);
         if (distance < 0) {
             inside = at;
             break;
@@ -113,9 +115,96 @@ glm::vec3 outermost_skin(glm::vec3 start, glm::vec3 direction) {
     }
     for (int i = 0; i < 16; ++i) {
         const float middle = 0.5F * (inside + outside);
-        (field(start + direction * middle) < 0 ? inside : outside) = middle;
+        (field(person, start + direction * middle) < 0 ? inside : outside) = middle;
     }
     return start + direction * (0.5F * (inside + outside));
+}
+
+/// Where the ray at a place between the grid's columns and rows meets the skin.
+glm::vec3 traced(const Person& person, const std::vector<float>& azimuths, glm::vec2 ray) {
+    const RayRow row = ray_row_at(ray.y / rows);
+    const glm::vec3 start(0, row.start_y, row.start_z);
+    if (ray.y <= 0 || ray.y >= rows) {
+        return outermost_skin(person, start, {0, ray.y <= 0 ? 1 : -1, 0});
+    }
+    const auto left = static_cast<std::size_t>(std::min(static_cast<int>(ray.x), columns - 1));
+    const float azimuth = glm::mix(azimuths[left], azimuths[left + 1], ray.x - static_cast<float>(left));
+    const float front = 0.5F + 0.5F * std::cos(azimuth);
+    const float rise = glm::radians(glm::mix(row.back_rise_deg, row.front_rise_deg, front));
+    return outermost_skin(
+        person, start,
+        {std::cos(rise) * std::sin(azimuth), std::sin(rise), std::cos(rise) * std::cos(azimuth)});
+}
+
+/// Put the surface's places where the rays meet the skin; the last column is the first.
+void trace(Surface& surface, const Person& person, const std::vector<float>& azimuths,
+           const std::vector<glm::vec2>& rays) {
+    surface.place_mm.resize(rays.size());
+    tbb::parallel_for(0, rows + 1, [&](int j) {
+        const auto first = static_cast<std::size_t>(j * (columns + 1));
+        for (std::size_t i = 0; i < static_cast<std::size_t>(columns); ++i) {
+            const bool pole = j == 0 || j == rows;
+            surface.place_mm[first + i] =
+                pole && i > 0 ? surface.place_mm[first] : traced(person, azimuths, rays[first + i]);
+        }
+        surface.place_mm[first + columns] = surface.place_mm[first];
+    });
+}
+
+/// The surface between its places, at a ray between the grid's columns and rows.
+glm::vec3 between(const Surface& surface, glm::vec2 ray) {
+    const int i = std::clamp(static_cast<int>(ray.x), 0, columns - 1),
+              j = std::clamp(static_cast<int>(ray.y), 0, rows - 1);
+    const float right = ray.x - static_cast<float>(i), down = ray.y - static_cast<float>(j);
+    return glm::mix(glm::mix(surface.at(i, j), surface.at(i + 1, j), right),
+                    glm::mix(surface.at(i, j + 1), surface.at(i + 1, j + 1), right), down);
+}
+
+/// Slide the face's rays along the skin towards the middle of their neighbours, so that cells become squares
+/// of the map: a few steps down the energy whose least value a conformal map has. [PinkallPolthier1993]
+void spread_evenly(std::vector<glm::vec2>& rays, const Surface& surface, const std::vector<float>& azimuths) {
+    constexpr int steps = 90;
+    constexpr float across = static_cast<float>(columns) / rows, down = 1 / across;
+    std::vector<glm::vec3> places = surface.place_mm;
+    for (int step = 0; step < steps; ++step) {
+        std::vector<glm::vec2> moved = rays;
+        for (int j = 2; j < rows - 1; ++j) {
+            const float v = static_cast<float>(j) / rows;
+            const float level = smooth_step(0.06F, 0.14F, v) * smooth_step(0.90F, 0.84F, v);
+            for (int i = 1; i < columns; ++i) {
+                const float side = std::abs(azimuths[static_cast<std::size_t>(i)]);
+                // Below the nose rays graze what hangs over; there they stay as they are.
+                const glm::vec3& first = surface.at(i, j);
+                const float below_nose = smooth_step(75, 82, first.z) *
+                                         smooth_step(26, 17, std::abs(first.x)) *
+                                         smooth_step(-66, -59, first.y) * smooth_step(-36, -42, first.y);
+                const float free = 0.45F * level * smooth_step(1.25F, 1.0F, side) * (1 - below_nose);
+                if (free <= 0) {
+                    continue;
+                }
+                const auto k = static_cast<std::size_t>(j * (columns + 1) + i),
+                           row = std::size_t{columns + 1};
+                const glm::vec3 middle =
+                    (across * (places[k - 1] + places[k + 1]) + down * (places[k - row] + places[k + row])) /
+                    (2 * (across + down));
+                const glm::vec3 pull = middle - places[k];
+                const glm::vec3 right = between(surface, rays[k] + glm::vec2(0.5F, 0)) -
+                                        between(surface, rays[k] - glm::vec2(0.5F, 0));
+                const glm::vec3 below = between(surface, rays[k] + glm::vec2(0, 0.5F)) -
+                                        between(surface, rays[k] - glm::vec2(0, 0.5F));
+                const float rr = glm::dot(right, right), rb = glm::dot(right, below),
+                            bb = glm::dot(below, below);
+                const float r = glm::dot(pull, right), b = glm::dot(pull, below);
+                const float area2 = std::max(rr * bb - rb * rb, 1e-3F * rr * bb);
+                const glm::vec2 slide((r * bb - b * rb) / area2, (b * rr - r * rb) / area2);
+                moved[k] += free * glm::clamp(slide, -0.25F, 0.25F);
+            }
+        }
+        rays = std::move(moved);
+        for (std::size_t k = 0; k < rays.size(); ++k) {
+            places[k] = between(surface, rays[k]);
+        }
+    }
 }
 
 /// Move the ears' places towards the middle of their neighbours, a few times, so that the rims lose the steps
@@ -160,30 +249,24 @@ void add_triangles(Mesh& mesh, const Surface& surface) {
 
 } // namespace
 
-Surface head_surface() {
-    Surface surface{columns, rows, {}};
-    std::vector<bool> on_ear(static_cast<std::size_t>((columns + 1) * (rows + 1)), false);
+Surface head_surface(const Person& person) {
     const std::vector<float> azimuths = column_azimuths();
+    Surface surface{columns, rows, {}};
+    std::vector<glm::vec2> rays;
     for (int j = 0; j <= rows; ++j) {
-        const RayRow row = ray_row_at(static_cast<float>(j) / rows);
-        const glm::vec3 start(0, row.start_y, row.start_z);
-        const bool pole = j == 0 || j == rows;
-        for (int i = 0; i < columns; ++i) {
-            if (i > 0 && pole) {
-                surface.place_mm.push_back(surface.place_mm.back());
-                continue;
-            }
-            const float azimuth = azimuths[static_cast<std::size_t>(i)];
-            const float front = 0.5F + 0.5F * std::cos(azimuth);
-            const float rise = glm::radians(glm::mix(row.back_rise_deg, row.front_rise_deg, front));
-            const glm::vec3 direction = pole ? glm::vec3(0, j == 0 ? 1 : -1, 0)
-                                             : glm::vec3(std::cos(rise) * std::sin(azimuth), std::sin(rise),
-                                                         std::cos(rise) * std::cos(azimuth));
-            const glm::vec3 skin = outermost_skin(start, direction), place = add_ear(skin);
-            on_ear[surface.place_mm.size()] = place != skin;
-            surface.place_mm.push_back(place);
+        for (int i = 0; i <= columns; ++i) {
+            rays.emplace_back(i, j);
         }
-        surface.place_mm.push_back(surface.at(0, j));
+    }
+    trace(surface, person, azimuths, rays);
+    spread_evenly(rays, surface, azimuths);
+    trace(surface, person, azimuths, rays);
+
+    std::vector<bool> on_ear;
+    for (glm::vec3& place : surface.place_mm) {
+        const glm::vec3 skin = place;
+        place = add_ear(skin);
+        on_ear.push_back(place != skin);
     }
     smooth_ears(surface, on_ear);
     return surface;

@@ -9,6 +9,8 @@
 #include <glm/glm.hpp>
 #include <renderer/scene/model.h>
 
+#include "head_person.h"
+
 namespace stimuli::head {
 
 /// The head's surface over the unit square: u runs around it from the back over the subject's right side, the
@@ -25,7 +27,7 @@ struct Surface {
 };
 
 /// The head with its ears.
-Surface head_surface();
+Surface head_surface(const Person& person);
 
 /// The surface as triangles with normals and tangents that agree across the seam.
 renderer::scene::Mesh head_mesh(const Surface& surface);

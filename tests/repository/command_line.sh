@@ -67,6 +67,15 @@ touch file
 refuses "file: expected a folder" stimuli small.toml --out file
 refuses "/proc/out: expected a folder" stimuli small.toml --out /proc/out
 
+# Head: names of skin, ages, places.
+refuses "--out is required" head
+refuses '--skin: expected I, II' head --out head.glb --skin pale
+refuses '--skin: expected I, II' head --out head.glb --skin 0.7
+refuses '--age: expected 18 to 90' head --out head.glb --age 7
+refuses '--level: expected full, fifth or tenth' head --out head.glb --level low
+refuses '--out: expected a file that ends in .glb' head --out head.obj
+refuses 'expected a folder, found none' head --out none/head.glb
+
 # Session: half a set of stimuli, labels, observers.
 "$skin2afc" stimuli small.toml --out half --only azimuth=0,60 >/dev/null 2>&1 || complain "half a set cannot be rendered"
 refuses "manifest.json" session small.toml --stimuli half/none --study study --participant 01 --simulate null
@@ -95,7 +104,7 @@ refuses "/proc/analysis" analyse study --out /proc/analysis
 # What is right is done, and help reads like a manual page.
 "$skin2afc" analyse study --out analysis >/dev/null 2>&1 || complain "the study cannot be analysed"
 [ -s analysis/table2.tsv ] && [ -s analysis/report.html ] || complain "the analysis wrote no table or no report"
-for command in "" stimuli compare "bench accuracy" session analyse; do
+for command in "" stimuli head compare "bench accuracy" session analyse; do
     # shellcheck disable=SC2086 # the empty command is no argument
     "$skin2afc" $command --help | grep -q "EXIT STATUS" || complain "$command --help has no section EXIT STATUS"
 done

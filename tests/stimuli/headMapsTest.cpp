@@ -144,9 +144,9 @@ TEST(HeadMapsTest, lightsTheLineBetweenTheLipsAsAGroove) {
 
     // The groove is the darkest row near the midline; compare the rows above and below it.
     const auto& material = head().materials.front();
-    const int x = static_cast<int>(middle.uv.x * 1024), near_y = static_cast<int>(middle.uv.y * 1024);
+    const int x = static_cast<int>(middle.uv.x * 2048), near_y = static_cast<int>(middle.uv.y * 2048);
     int line_y = near_y;
-    for (int y = near_y - 12; y <= near_y + 12; ++y) {
+    for (int y = near_y - 24; y <= near_y + 24; ++y) {
         line_y = texel(*material.base_color, x, y).x < texel(*material.base_color, x, line_y).x ? y : line_y;
     }
     float above = 0, below = 0;
@@ -171,7 +171,7 @@ TEST(HeadMapsTest, hasRoughnessWithinItsRange) {
         }
     }
     const glm::vec3 nose = mean_around(roughness, nearest({0, -38, 115}), 8);
-    EXPECT_LT(nose.y, sum / (1024.0 * 1024.0) - 0.05) << "the nose is oilier than the rest";
+    EXPECT_LT(nose.y, sum / (2048.0 * 2048.0) - 0.05) << "the nose is oilier than the rest";
 }
 
 } // namespace
