@@ -12,16 +12,12 @@
 #include <stats/log.h>
 #include <stats/proportion.h>
 #include <stats/study.h>
+#include <stats/tally.h>
 
 namespace stats {
 
 /// Level of significance: a condition differs when p <= alpha [Jimenez2009, Table II].
 inline constexpr double alpha = 0.05;
-
-/// Answers, and how many of them chose the reference.
-struct Tally {
-    std::int64_t n = 0, reference_chosen = 0;
-};
 
 /// The figures of a condition that has answers.
 struct Figures {
