@@ -93,6 +93,36 @@ SignFlip drawn_p(const Surpluses& surpluses, const SignFlipLimits& limits) {
     return {p, std::sqrt(p * (1 - p) / draws), false};
 }
 
+/// Mean of the participants' proportions, its standard error and degrees of freedom.
+struct Mean {
+    double value = 0, standard_error = 0, df = 0;
+};
+
+std::optional<Mean> mean_proportion(std::span<const Tally> participants) {
+    std::vector<double> proportions;
+    for (const auto& [n, k] : participants) {
+        if (n > 0) {
+            proportions.push_back(static_cast<double>(k) / static_cast<double>(n));
+        }
+    }
+    const auto [least, most] = std::minmax_element(proportions.begin(), proportions.end());
+    if (proportions.size() < 2 || *least == *most) {
+        return std::nullopt;
+    }
+    const auto count = static_cast<double>(proportions.size());
+    const double mean = std::accumulate(proportions.begin(), proportions.end(), 0.0) / count;
+    double squares = 0;
+    for (const double proportion : proportions) {
+        squares += (proportion - mean) * (proportion - mean);
+    }
+    return Mean{mean, std::sqrt(squares / (count - 1) / count), count - 1};
+}
+
+/// The probability of a t as large or larger.
+double upper_tail(double t, double df) {
+    return boost::math::cdf(boost::math::complement(boost::math::students_t(df), t));
+}
+
 } // namespace
 
 SignFlip sign_flip(std::span<const Tally> participants, const SignFlipLimits& limits) {
@@ -112,28 +142,22 @@ SignFlip sign_flip(std::span<const Tally> participants, const SignFlipLimits& li
 }
 
 std::optional<TTest> t_test(std::span<const Tally> participants) {
-    std::vector<double> proportions;
-    for (const auto& [n, k] : participants) {
-        if (n > 0) {
-            proportions.push_back(static_cast<double>(k) / static_cast<double>(n));
-        }
-    }
-    const auto [least, most] = std::minmax_element(proportions.begin(), proportions.end());
-    if (proportions.size() < 2 || *least == *most) {
+    const auto mean = mean_proportion(participants);
+    if (!mean) {
         return std::nullopt;
     }
-    const auto count = static_cast<double>(proportions.size());
-    const double mean = std::accumulate(proportions.begin(), proportions.end(), 0.0) / count;
-    double squares = 0;
-    for (const double proportion : proportions) {
-        squares += (proportion - mean) * (proportion - mean);
+    const double t = (mean->value - 0.5) / mean->standard_error;
+    return TTest{t, mean->df, 2 * upper_tail(std::abs(t), mean->df)};
+}
+
+std::optional<double> equivalence_t_test(std::span<const Tally> participants,
+                                         const EquivalenceBounds& bounds) {
+    const auto mean = mean_proportion(participants);
+    if (!mean) {
+        return std::nullopt;
     }
-    TTest result;
-    result.df = count - 1;
-    result.t = (mean - 0.5) / std::sqrt(squares / result.df / count);
-    const boost::math::students_t distribution(result.df);
-    result.p = 2 * boost::math::cdf(boost::math::complement(distribution, std::abs(result.t)));
-    return result;
+    return std::max(upper_tail((mean->value - bounds.low) / mean->standard_error, mean->df),
+                    upper_tail((bounds.high - mean->value) / mean->standard_error, mean->df));
 }
 
 } // namespace stats

@@ -57,6 +57,8 @@ for (s in samples) {
   k <- s[[1]]; n <- s[[2]]; id <- factor(seq_along(k))
   row("sign_flip", pairs(k, n), flip(k, n))
   row("t_test", pairs(k, n), t.test(k / n, mu = .5)$p.value)
+  row("equivalence_t", pairs(k, n), max(t.test(k / n, mu = .35, alternative = "greater")$p.value,
+                                        t.test(k / n, mu = .65, alternative = "less")$p.value))
   # The log-likelihood by R's own adaptive integration, its maximum by optim and its curvature by differences.
   loglik <- function(b, s) sum(mapply(function(k, n) log(integrate(function(u)
     exp(k * (b + s * u) - n * log1p(exp(b + s * u)) - k * b + n * log1p(exp(b))) * dnorm(u), -12, 12,

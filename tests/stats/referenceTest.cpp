@@ -84,6 +84,7 @@ const std::map<std::string, Figure>& figures() {
         {"bh", {[](auto& a) { return element(benjamini_hochberg(std::span(a).subspan(1)), a); }}},
         {"sign_flip", {[](auto& a) { return sign_flip(participants(a)).p; }}},
         {"t_test", {[](auto& a) { return t_test(participants(a)).value().p; }}},
+        {"equivalence_t", {[](auto& a) { return equivalence_t_test(participants(a)).value(); }}},
         {"log_likelihood", {[](auto& a) { return fit_mixed_model(participants(a)).value().log_likelihood; }}},
         {"heterogeneity",
          {[](auto& a) { return fit_mixed_model(participants(a)).value().p_heterogeneity; }, 1e-7}},

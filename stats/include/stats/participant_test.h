@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include <stats/equivalence.h>
 #include <stats/tally.h>
 
 namespace stats {
@@ -39,5 +40,10 @@ struct TTest {
 /// t-test of the participants' proportions against one half [Student1908]; those without answers are left
 /// out. Nothing for fewer than two participants, or where all proportions are the same.
 std::optional<TTest> t_test(std::span<const Tally> participants);
+
+/// Two one-sided t-tests of the participants' mean proportion against the bounds [Schuirmann1987]: the larger
+/// p of the two. Nothing where t_test() gives nothing.
+std::optional<double> equivalence_t_test(std::span<const Tally> participants,
+                                         const EquivalenceBounds& bounds = {});
 
 } // namespace stats
