@@ -35,14 +35,14 @@ std::size_t files_in(const fs::path& folder) {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
 }
 
-TEST(AnalyseTest, writesItsFourFilesAndNothingElse) {
+TEST(AnalyseTest, writesItsFilesAndNothingElse) {
     const StudyFolder folder;
     folder.write_published_logs();
     const fs::path out = folder.path() / "a" / "b";
     const std::string text = analyse(folder.path(), out);
     EXPECT_NE(text.find("TS - Zoom - 110\u00b0"), std::string::npos);
     EXPECT_EQ(text.find("SIMULATED"), std::string::npos);
-    EXPECT_EQ(files_in(out), 4u);
+    EXPECT_EQ(files_in(out), 10u);
     EXPECT_NE(read_file(out / "report.html").find("</html>"), std::string::npos);
 
     const auto summary = nlohmann::json::parse(read_file(out / "summary.json"));

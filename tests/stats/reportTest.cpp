@@ -17,8 +17,9 @@ using namespace std::string_literals;
 const std::string smallest_png_end = "\0\0\0\0IEND\xae\x42\x60\x82"s;
 
 std::string report_of(const StudyFolder& folder, const std::optional<std::string>& picture = {}) {
-    const auto study = stats::read_study(folder.path());
-    return stats::report_html(study, make_table(study), "<?xml?><svg>figure</svg>", picture);
+    const auto analysis = stats::analyse_study(folder.path());
+    const std::string svg = "<?xml?><svg>figure</svg>";
+    return report_html(analysis, {svg, svg, svg, {analysis.rows.size(), std::nullopt}, picture});
 }
 
 int count_of(const std::string& part, const std::string& text) {
