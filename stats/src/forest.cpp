@@ -92,9 +92,9 @@ std::string forest(const std::vector<Line>& lines, const Analysis& analysis, con
                               marker_style(series));
     }
     script +=
-        "$mixed using 1:4:2:3 with xerrorbars linecolor '#777777' linewidth 1.2 pointtype 6 pointsize 0.6 "
+        "$mixed using 1:4:2:3 with xerrorbars linecolor '#444444' linewidth 1 pointtype 6 pointsize 0.7 "
         "notitle, NaN with points linecolor '#333333' pointtype 5 pointsize 0.7 title 'pooled, Wilson 95 %', "
-        "NaN with points linecolor '#777777' pointtype 6 pointsize 0.6 title 'mixed model, Wald 95 %'\n";
+        "NaN with points linecolor '#444444' pointtype 6 pointsize 0.7 title 'mixed model, Wald 95 %'\n";
     return drawn(script, title);
 }
 

@@ -202,15 +202,18 @@ std::optional<MixedModel> fit_mixed_model(std::span<const Tally> participants) {
     const double pooled_logit = logit(static_cast<double>(all.reference_chosen) / static_cast<double>(all.n));
     const Point alike = evaluate(groups, pooled_logit, 0);
     const Maximum top = climb(groups, pooled_logit, 1);
-    constexpr double widest_sd = 25; // beyond it the likelihood is flat
-    if (top.sd > widest_sd) {
-        return std::nullopt;
-    }
+    const Point& p = top.point;
+    const double determinant = p.intercept_twice * p.sd_twice - p.both * p.both;
     MixedModel model;
-    const double ratio = 2 * (top.point.value - alike.value);
-    if (ratio > 1e-9) {
-        const Point& p = top.point;
-        const double determinant = p.intercept_twice * p.sd_twice - p.both * p.both;
+    const double ratio = 2 * (p.value - alike.value);
+    constexpr double no_rise = 1e-9;
+    if (ratio > no_rise) {
+        // Where the likelihood rises for ever, as sd grows, no summit is reached.
+        constexpr double widest_sd = 25, level_slope = 1e-5;
+        if (top.sd > widest_sd || !(p.intercept_twice < 0 && determinant > 0) ||
+            std::hypot(p.by_intercept, p.by_sd) > level_slope) {
+            return std::nullopt;
+        }
         model = {top.intercept, std::sqrt(-p.sd_twice / determinant), top.sd, 1, p.value, 1};
         const boost::math::chi_squared distribution(1);
         model.p_heterogeneity = 0.5 * boost::math::cdf(boost::math::complement(distribution, ratio));

@@ -40,21 +40,28 @@ std::string head(const Study& study, const std::string& notice) {
                     notice.empty() ? "" : "[simulated] ", html_text(study.name), report_style,
                     notice.empty() ? "" : simulated_page_style);
     if (!notice.empty()) {
-        html += fmt::format("<div class=\"banner\" role=\"alert\">{}</div>\n", html_text(notice));
+        html += fmt::format("<div class=\"banner\" role=\"alert\">{}</div>\n"
+                            "<div class=\"watermark\" aria-hidden=\"true\">SIMULATED DATA</div>\n",
+                            html_text(notice));
     }
     return html;
 }
 
-/// The answer: disagreements of the tests, the verdict on each shader, then where each differs.
+/// The answer: where the tests disagree, the verdict on each shader, then where each differs.
 std::string answer(const Analysis& analysis) {
     const Contents found = contents(analysis.study);
-    return fmt::format(
-               "<main>\n<h1>{}</h1>\n<p class=\"facts\">Two-alternative forced choice: {} participants, {} "
-               "answers, {} conditions.</p>\n",
-               html_text(analysis.study.name), found.participants, found.trials - found.unanswered,
-               analysis.rows.size()) +
-           list_of(verdicts(analysis), "answer") + list_of(disagreements(analysis), "warning") +
-           list_of(findings(analysis.rows));
+    std::string html = fmt::format("<main>\n<h1>{}</h1>\n<p class=\"facts\">Two-alternative forced choice: "
+                                   "{} participants, {} answers, {} "
+                                   "conditions.</p>\n",
+                                   html_text(analysis.study.name), found.participants,
+                                   found.trials - found.unanswered, analysis.rows.size());
+    html += list_of(disagreements(analysis), any_shader_disagrees(analysis) ? "warning" : "note");
+    html += "<ul class=\"answer\">\n";
+    for (const Verdict& verdict : verdicts(analysis)) {
+        html += fmt::format("<li><strong>{}</strong> {}</li>\n", html_text(verdict.headline),
+                            html_text(verdict.evidence));
+    }
+    return html + "</ul>\n<h3>In which conditions</h3>\n" + list_of(findings(analysis.rows));
 }
 
 } // namespace

@@ -36,7 +36,7 @@ std::string number(double value, int digits) {
 
 /// A p-value to three digits; one above alpha is marked.
 std::string p_cell(double p) {
-    const std::string text = std::isnan(p) ? "n/a" : p < 1e-4 ? "&lt; 0.0001" : fmt::format("{:.3g}", p);
+    const std::string text = std::isnan(p) ? "n/a" : p < 1e-4 ? "&lt;&nbsp;0.0001" : fmt::format("{:.3g}", p);
     return p > alpha ? fmt::format("<span class=\"alike\">{}</span>", text) : text;
 }
 
@@ -48,53 +48,84 @@ std::string bayes(double log_bf01) {
                                   : "&lt; 0.0001";
 }
 
-const std::vector<std::string>& figure_columns() {
-    static const std::vector<std::string> columns{"Reference chosen",
-                                                  "Proportion",
-                                                  "Wilson 95 %",
-                                                  "Exact 95 %",
-                                                  "g",
-                                                  "p",
-                                                  "p exact",
-                                                  "Holm",
-                                                  "B.\u2013H.",
-                                                  "Sign-flip p",
-                                                  "Holm",
-                                                  "t-test p",
-                                                  "Mixed p",
-                                                  "SD between",
-                                                  "p of SD",
-                                                  "Equivalence p",
-                                                  "over participants",
-                                                  "BF<sub>01</sub>"};
+/// A table's columns after those that name the row, and their cells for one row.
+struct Columns {
+    std::vector<std::string> names;
+    std::vector<std::string> (*cells)(const Tally&, const Figures&);
+};
+
+const Columns& pooled_columns() {
+    static const Columns columns{{"Reference chosen", "Proportion", "Wilson 95 %", "Exact 95 %", "g", "p",
+                                  "p exact", "Holm", "B.\u2013H.", "Equivalence p", "BF<sub>01</sub>"},
+                                 [](const Tally& tally, const Figures& f) {
+                                     return std::vector<std::string>{
+                                         fmt::format("{} of {}", tally.reference_chosen, tally.n),
+                                         number(f.proportion, 3),
+                                         interval(f.ci),
+                                         interval(f.ci_exact),
+                                         number(f.cohens_g, 3),
+                                         p_cell(f.chi_square.p),
+                                         p_cell(f.p_exact),
+                                         p_cell(f.p_holm),
+                                         p_cell(f.q_bh),
+                                         p_cell(f.p_equivalence),
+                                         bayes(f.log_bf01)};
+                                 }};
     return columns;
 }
 
-/// The cells of figure_columns().
-std::vector<std::string> figure_cells(const Tally& tally, const std::optional<Figures>& figures) {
-    std::vector<std::string> cells{fmt::format("{} of {}", tally.reference_chosen, tally.n)};
-    if (!figures) {
-        cells.resize(figure_columns().size(), "n/a");
-        return cells;
-    }
-    const Figures& f = *figures;
-    const ParticipantLevel& level = f.participant;
-    const double missing = std::nan("");
-    for (const std::string& cell :
-         {number(f.proportion, 3), interval(f.ci), interval(f.ci_exact), number(f.cohens_g, 3),
-          p_cell(f.chi_square.p), p_cell(f.p_exact), p_cell(f.p_holm), p_cell(f.q_bh),
-          p_cell(level.sign_flip.p), p_cell(level.p_holm), p_cell(level.t_test ? level.t_test->p : missing),
-          p_cell(level.mixed ? level.mixed->p : missing), number(level.mixed ? level.mixed->sd : missing, 2),
-          p_cell(level.mixed ? level.mixed->p_heterogeneity : missing), p_cell(f.p_equivalence),
-          p_cell(level.p_equivalence.value_or(missing)), bayes(f.log_bf01)}) {
-        cells.push_back(cell);
-    }
-    return cells;
+const Columns& participant_columns() {
+    static const Columns columns{
+        {"Participants", "Sign-flip p", "Holm", "t-test p", "Equivalence p (t)", "Mixed model: logit",
+         "standard error", "p", "SD between", "p of SD"},
+        [](const Tally&, const Figures& f) {
+            const ParticipantLevel& level = f.participant;
+            const double missing = std::nan("");
+            const MixedModel mixed =
+                level.mixed.value_or(MixedModel{missing, missing, missing, missing, 0, missing});
+            const std::string error =
+                level.sign_flip.exact ? "" : fmt::format(" \u00b1 {:.2g}", level.sign_flip.standard_error);
+            return std::vector<std::string>{fmt::format("{}", level.participants),
+                                            p_cell(level.sign_flip.p) + error,
+                                            p_cell(level.p_holm),
+                                            p_cell(level.t_test ? level.t_test->p : missing),
+                                            p_cell(level.p_equivalence.value_or(missing)),
+                                            number(mixed.intercept, 3),
+                                            number(mixed.standard_error, 3),
+                                            p_cell(mixed.p),
+                                            number(mixed.sd, 3),
+                                            p_cell(mixed.p_heterogeneity)};
+        }};
+    return columns;
 }
 
-std::vector<std::string> with_figures(std::vector<std::string> columns) {
-    columns.insert(columns.end(), figure_columns().begin(), figure_columns().end());
-    return columns;
+/// A row's heading cells with its tally and figures.
+struct TableRow {
+    std::vector<std::string> head;
+    const Tally& tally;
+    const std::optional<Figures>& figures;
+};
+
+std::string figures_table(std::vector<std::string> names, const std::vector<TableRow>& rows,
+                          const Columns& columns) {
+    names.insert(names.end(), columns.names.begin(), columns.names.end());
+    HtmlTable table("details", names);
+    for (const TableRow& row : rows) {
+        std::vector<std::string> cells = row.head;
+        if (row.figures) {
+            const auto further = columns.cells(row.tally, *row.figures);
+            cells.insert(cells.end(), further.begin(), further.end());
+        }
+        cells.resize(names.size(), "n/a");
+        table.add(cells);
+    }
+    return table.html();
+}
+
+/// Both tables: participants as the sample, and answers.
+std::string both_tables(const std::vector<std::string>& names, const std::vector<TableRow>& rows) {
+    return "<h3>Participants as the sample</h3>\n" + figures_table(names, rows, participant_columns()) +
+           "<h3>Answers as the sample</h3>\n" + figures_table(names, rows, pooled_columns());
 }
 
 std::string group_label(const GroupRow& group) {
@@ -135,44 +166,38 @@ std::string table2_html(const Analysis& analysis) {
 }
 
 std::string shaders_html(const Analysis& analysis) {
-    HtmlTable table("details", with_figures({"Shader", "Verdict"}));
+    std::vector<TableRow> rows;
     for (const GroupRow& group : analysis.groups) {
-        const bool whole = group.by == "all";
         const std::string label = html_text(group_label(group));
-        std::vector<std::string> cells{whole ? "<strong>" + label + "</strong>" : "&emsp;" + label,
-                                       group.figures ? verdict_words(*group.figures, analysis.settings.bounds)
-                                                     : "n/a"};
-        for (std::string& cell : figure_cells(group.tally, group.figures)) {
-            cells.push_back(std::move(cell));
-        }
-        table.add(cells);
+        rows.push_back({{group.by == "all" ? "<strong>" + label + "</strong>" : "&emsp;" + label,
+                         group.figures ? verdict_words(*group.figures, analysis.settings.bounds) : "n/a"},
+                        group.tally,
+                        group.figures});
     }
-    return paragraph(fmt::format(
-                         "Each shader over all conditions, by distance and by azimuth. Holm and "
-                         "Benjamini\u2013Hochberg run over the {} rows of this table. shaders.tsv has every "
-                         "digit.",
-                         analysis.groups.size()),
-                     "note") +
-           table.html();
+    return paragraph(
+               fmt::format("Each shader over all conditions, by distance and by azimuth. Holm and "
+                           "Benjamini\u2013Hochberg run over the {} rows of the table. Marked: p above {}. "
+                           "shaders.tsv has every digit.",
+                           analysis.groups.size(), alpha),
+               "note") +
+           both_tables({"Shader", "Verdict"}, rows);
 }
 
 std::string conditions_html(const Analysis& analysis) {
-    HtmlTable table("details", with_figures({"Configuration", "Test"}));
+    std::vector<TableRow> rows;
     for (const auto& [c, tally, figures] : analysis.rows) {
-        std::vector<std::string> cells{html_text(configuration_label(c.reference, c.distance, c.azimuth_deg)),
-                                       html_text(shader_label(c.test))};
-        for (std::string& cell : figure_cells(tally, figures)) {
-            cells.push_back(std::move(cell));
-        }
-        table.add(cells);
+        rows.push_back({{html_text(configuration_label(c.reference, c.distance, c.azimuth_deg)),
+                         html_text(shader_label(c.test))},
+                        tally,
+                        figures});
     }
     return paragraph(
                fmt::format(
-                   "Holm and Benjamini\u2013Hochberg run over the {} rows of this table. table2.tsv has "
-                   "every digit. Marked: p above {}.",
+                   "Holm and Benjamini\u2013Hochberg run over the {} rows of the table. Marked: p above "
+                   "{}. table2.tsv has every digit.",
                    analysis.rows.size(), alpha),
                "note") +
-           table.html();
+           both_tables({"Configuration", "Test"}, rows);
 }
 
 std::string order_html(const Analysis& analysis) {

@@ -176,7 +176,11 @@ std::string summary_json(const Analysis& analysis) {
         {"mixed", "logistic, random intercept, adaptive Gauss-Hermite quadrature"}};
     summary["conditions"] = conditions_json(analysis.rows);
 
-    summary["verdicts"] = verdicts(analysis);
+    auto answers = ordered_json::array();
+    for (const Verdict& verdict : verdicts(analysis)) {
+        answers.push_back({{"headline", verdict.headline}, {"evidence", verdict.evidence}});
+    }
+    summary["verdicts"] = std::move(answers);
     summary["disagreements"] = disagreements(analysis);
     summary["settings"] = {{"equivalence_low", analysis.settings.bounds.low},
                            {"equivalence_high", analysis.settings.bounds.high},

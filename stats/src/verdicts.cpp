@@ -3,6 +3,7 @@
 
 #include "verdicts.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -72,6 +73,12 @@ std::vector<std::string> disagreements(const Analysis& analysis) {
     return sentences;
 }
 
+bool any_shader_disagrees(const Analysis& analysis) {
+    const auto shaders = overall(analysis.groups);
+    return std::any_of(shaders.begin(), shaders.end(),
+                       [](const GroupRow* group) { return group->figures && disagrees(*group->figures); });
+}
+
 std::string verdict_words(const Figures& figures, const EquivalenceBounds& bounds) {
     const bool differs = figures.participant.sign_flip.p <= alpha, same = equivalent(figures);
     const std::string range = fmt::format("{} to {}", bounds.low, bounds.high);
@@ -81,8 +88,8 @@ std::string verdict_words(const Figures& figures, const EquivalenceBounds& bound
     return same ? "as good within " + range : "undecided";
 }
 
-std::vector<std::string> verdicts(const Analysis& analysis) {
-    std::vector<std::string> sentences;
+std::vector<Verdict> verdicts(const Analysis& analysis) {
+    std::vector<Verdict> result;
     const EquivalenceBounds& bounds = analysis.settings.bounds;
     for (const GroupRow* group : overall(analysis.groups)) {
         if (!group->figures) {
@@ -92,27 +99,29 @@ std::vector<std::string> verdicts(const Analysis& analysis) {
         const ParticipantLevel& level = f.participant;
         const bool differs = level.sign_flip.p <= alpha, same = equivalent(f);
         const std::string test = shader_label(group->test), reference = shader_label(group->reference);
-        std::string text = differs ? fmt::format("{} differs from {}", test, reference)
-                           : same
-                               ? fmt::format("{} is as good as {}", test, reference)
-                               : fmt::format("{} against {} is undecided: neither a difference nor equality "
-                                             "is shown",
-                                             test, reference);
+        std::string headline =
+            differs ? fmt::format("{} differs from {}", test, reference)
+            : same  ? fmt::format("{} is as good as {}", test, reference)
+                    : fmt::format("{} against {} is undecided: neither a difference nor equality "
+                                   "is shown",
+                                  test, reference);
         if (same) {
-            text += fmt::format("{} within the bounds of {} to {}", differs ? ", yet" : "", bounds.low,
-                                bounds.high);
+            headline += fmt::format("{} within the bounds of {} to {}", differs ? ", yet" : "", bounds.low,
+                                    bounds.high);
         }
-        text += fmt::format(
-            ": {} was chosen in {:.1f} % of answers (95 % interval {:.1f} to {:.1f} %); sign-flip "
-            "test over {} participants p {}, {}; equivalence p {}",
-            reference, 100 * f.proportion, 100 * f.ci.low, 100 * f.ci.high, level.participants,
-            p_phrase(level.sign_flip.p), mixed_text(level.mixed), p_phrase(f.p_equivalence));
+        std::string evidence = fmt::format(
+            "{} was chosen in {:.1f} % of answers (95 % interval {:.1f} to {:.1f} %). Participants as the "
+            "sample: sign-flip p {}, {}",
+            reference, 100 * f.proportion, 100 * f.ci.low, 100 * f.ci.high, p_phrase(level.sign_flip.p),
+            mixed_text(level.mixed));
         if (level.p_equivalence) {
-            text += fmt::format(" (over participants {})", p_phrase(*level.p_equivalence));
+            evidence += fmt::format(", equivalence p {}", p_phrase(*level.p_equivalence));
         }
-        sentences.push_back(text + fmt::format("; {}.", bayes_text(f.log_bf01)));
+        evidence += fmt::format(". Answers as the sample: chi-square p {}, equivalence p {}, {}.",
+                                p_phrase(f.chi_square.p), p_phrase(f.p_equivalence), bayes_text(f.log_bf01));
+        result.push_back({headline + ".", evidence});
     }
-    return sentences;
+    return result;
 }
 
 std::string order_sentence(const Analysis& analysis) {
