@@ -109,14 +109,17 @@ Maximum climb(const Groups& groups, double intercept, double sd) {
     constexpr int most_steps = 200;
     constexpr double rounding = 1e-14, at_rest = 1e-11;
     for (int step = 0; step < most_steps; ++step) {
-        // Newton's step where the surface is concave, else one up the slope.
+        // Newton's step where the surface is concave, else one up each slope by its own curvature.
         const Point& p = best.point;
         const double determinant = p.intercept_twice * p.sd_twice - p.both * p.both;
         const bool concave = p.intercept_twice < 0 && determinant > 0;
-        double db =
-            concave ? -(p.sd_twice * p.by_intercept - p.both * p.by_sd) / determinant : p.by_intercept;
-        double ds =
-            concave ? -(p.intercept_twice * p.by_sd - p.both * p.by_intercept) / determinant : p.by_sd;
+        constexpr double flat = 1e-9;
+        double db = p.by_intercept / std::max(flat, std::abs(p.intercept_twice));
+        double ds = p.by_sd / std::max(flat, std::abs(p.sd_twice));
+        if (concave) {
+            db = -(p.sd_twice * p.by_intercept - p.both * p.by_sd) / determinant;
+            ds = -(p.intercept_twice * p.by_sd - p.both * p.by_intercept) / determinant;
+        }
         const double length = std::hypot(db, ds);
         if (length > 1) {
             db /= length;
@@ -208,10 +211,14 @@ std::optional<MixedModel> fit_mixed_model(std::span<const Tally> participants) {
     const double ratio = 2 * (p.value - alike.value);
     constexpr double no_rise = 1e-9;
     if (ratio > no_rise) {
-        // Where the likelihood rises for ever, as sd grows, no summit is reached.
-        constexpr double widest_sd = 25, level_slope = 1e-5;
-        if (top.sd > widest_sd || !(p.intercept_twice < 0 && determinant > 0) ||
-            std::hypot(p.by_intercept, p.by_sd) > level_slope) {
+        // Where the likelihood rises for ever, as sd grows, no summit is reached: Newton's next step, in the
+        // curvature's own measure, would not be small.
+        constexpr double widest_sd = 25, small = 1e-6;
+        const double left_to_climb = (2 * p.both * p.by_intercept * p.by_sd -
+                                      p.sd_twice * p.by_intercept * p.by_intercept -
+                                      p.intercept_twice * p.by_sd * p.by_sd) /
+                                     determinant;
+        if (top.sd > widest_sd || !(p.intercept_twice < 0 && determinant > 0 && left_to_climb < small)) {
             return std::nullopt;
         }
         model = {top.intercept, std::sqrt(-p.sd_twice / determinant), top.sd, 1, p.value, 1};

@@ -12,7 +12,7 @@
 namespace stats {
 
 /// Points of the quadrature over a participant's own preference.
-inline constexpr int quadrature_points = 31;
+inline constexpr int quadrature_points = 101;
 
 /// Nodes and weights of Gauss-Hermite quadrature for the standard normal: the sum of weight * f(node) is the
 /// mean of f, exact for polynomials of degree below 2 * points [Abramowitz1964, 25.4.46].
