@@ -148,26 +148,33 @@ double logit(double p) { return std::log(p / (1 - p)); }
 
 Quadrature normal_quadrature(int points) {
     // Orthonormal Hermite polynomials: sqrt(j + 1) h[j+1] = x h[j] - sqrt(j) h[j-1].
-    const auto last_two = [](int degree, double x) {
+    std::vector<double> root;
+    for (int j = 0; j <= points; ++j) {
+        root.push_back(std::sqrt(j));
+    }
+    const auto last_two = [&](std::size_t degree, double x) {
         double before = 0, now = 1;
-        for (int j = 0; j < degree; ++j) {
-            const double next = (x * now - std::sqrt(j) * before) / std::sqrt(j + 1.0);
+        for (std::size_t j = 0; j < degree; ++j) {
+            const double next = (x * now - root[j] * before) / root[j + 1];
             before = now;
             now = next;
         }
         return std::pair(before, now);
     };
-    // The zeros of each degree lie between those of the degree before: halve from there.
+    // The zeros of each degree lie between those of the degree before: halve from there. Only the last degree
+    // needs them in full; before, they are borders.
+    const auto count = static_cast<std::size_t>(points);
     std::vector<double> zeros;
-    for (int degree = 1; degree <= points; ++degree) {
-        const double outside = 2 * std::sqrt(degree) + 1;
+    for (std::size_t degree = 1; degree <= count; ++degree) {
+        const double outside = 2 * root[degree] + 1, close = degree == count ? 0 : 1e-5;
         std::vector<double> borders{-outside}, next;
         borders.insert(borders.end(), zeros.begin(), zeros.end());
         borders.push_back(outside);
         for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
             double low = borders[i], high = borders[i + 1];
             const bool low_negative = last_two(degree, low).second < 0;
-            for (double middle = (low + high) / 2; low < middle && middle < high; middle = (low + high) / 2) {
+            for (double middle = (low + high) / 2; low < middle && middle < high && high - low > close;
+                 middle = (low + high) / 2) {
                 ((last_two(degree, middle).second < 0) == low_negative ? low : high) = middle;
             }
             next.push_back((low + high) / 2);
@@ -177,7 +184,7 @@ Quadrature normal_quadrature(int points) {
     // The weight at a zero of h[n] is 1 / (n h[n-1]^2) [Abramowitz1964, 25.4.46].
     Quadrature result{std::move(zeros), {}};
     for (const double x : result.nodes) {
-        const double before = last_two(points, x).first;
+        const double before = last_two(count, x).first;
         result.weights.push_back(1 / (points * before * before));
     }
     return result;
@@ -214,10 +221,10 @@ std::optional<MixedModel> fit_mixed_model(std::span<const Tally> participants) {
         // Where the likelihood rises for ever, as sd grows, no summit is reached: Newton's next step, in the
         // curvature's own measure, would not be small.
         constexpr double widest_sd = 25, small = 1e-6;
-        const double left_to_climb = (2 * p.both * p.by_intercept * p.by_sd -
-                                      p.sd_twice * p.by_intercept * p.by_intercept -
-                                      p.intercept_twice * p.by_sd * p.by_sd) /
-                                     determinant;
+        const double left_to_climb =
+            (2 * p.both * p.by_intercept * p.by_sd - p.sd_twice * p.by_intercept * p.by_intercept -
+             p.intercept_twice * p.by_sd * p.by_sd) /
+            determinant;
         if (top.sd > widest_sd || !(p.intercept_twice < 0 && determinant > 0 && left_to_climb < small)) {
             return std::nullopt;
         }

@@ -14,8 +14,8 @@ namespace stats {
 
 /// How far the sign-flip test goes before it draws at random.
 struct SignFlipLimits {
-    double most_additions = 1e8;  ///< of the exact distribution
-    std::int64_t draws = 100'000; ///< where that is not enough
+    double most_additions = 1e8; ///< of the exact distribution
+    std::int64_t draws = 50'000; ///< where that is not enough
     std::uint64_t seed = 1;
 };
 
