@@ -35,40 +35,36 @@ namespace fs = std::filesystem;
 
 constexpr const char* footer = R"(DESCRIPTION
   Reads the logs STUDY/sub-*/beh/sub-*_task-skin2afc[_run-NN]_beh.tsv and says where the shaders differ, which
-  are as good as each other, and how sure that is. Printed is the answer in short, Table II of Jimenez, Sundstedt
-  and Gutierrez (2009) - a one-sample chi-square (df 1) of the answers of each condition against half and half;
-  conditions without a significant difference (p > 0.05) carry a star - and a table by shader.
+  are as good as each other, and how sure that is: Table II of Jimenez, Sundstedt and Gutierrez (2009) - a
+  chi-square (df 1) of each condition's answers against half and half; a star marks p > 0.05 - and a table by
+  shader.
 
-  Answers of one participant are not independent. Beside the pooled tests stand tests with the participants as
-  the sample: an exact sign-flip test, a t-test, and a logistic mixed model. Where they disagree, the answer says
-  so. Equivalence is tested within the bounds of --bounds; the Bayes factor compares one half with the prior
-  Beta(1, 1).
+  Answers of one participant are not independent: beside the pooled tests stand an exact sign-flip test, a t-test
+  and a logistic mixed model with the participants as the sample, and the answer says where they disagree.
+  Equivalence is tested within --bounds; the Bayes factor has the prior Beta(1, 1).
 
   Of each participant's runs the last complete one counts or, where none is complete, the last that holds
-  trials. Complete is a run with the trials its sidecar (.json beside the log, field TrialsPlanned) plans or,
-  without one, with as many as the longest log. Answers n/a are left out; a last line that was cut off is set
-  aside. The report lists what was left out. Analyses of simulated data say so.
+  trials. Complete is a run with the trials its sidecar plans (TrialsPlanned) or, without one, with as many as
+  the longest log. Answers n/a and a last line that was cut off are left out. The report lists what was.
 
   A log that is not as protocols/FORMAT.md has it, or a run of another protocol, refuses the study, with file and
   line; --skip-bad leaves such files out and lists them.
 
   Expertise: columns of participants.tsv and phenotype/*.tsv whose names have one of the words expertise, expert,
-  experience, experienced, graphics, art, arts, drawing, photography. The answers no, none, false, 0 mean none.
+  experience, experienced, graphics, art, arts, drawing, photography.
 
-  --power plans a study instead, without logs: the proportion a design finds, the participants that a
-  proportion needs, exactly for independent answers and by simulation for participants who differ.
+  --power plans a study, without logs: the proportion that a design finds, the participants that a proportion
+  needs, exactly for independent answers and by simulation for participants who differ.
 
-FILES WRITTEN
-  DIR/table2.tsv       one row a condition: counts, proportion, chi-square, exact tests, intervals, corrections,
-                       participant-level tests, equivalence, Bayes factor, order, response times
-  DIR/shaders.tsv      the same for each shader over all conditions, by distance and by azimuth
-  DIR/participants.tsv one row a participant: what tells how far the answers can be trusted
-  DIR/summary.json     all numbers, runs and lines used and left out, the answer in sentences
-  DIR/trials.tsv       one row a trial, for R
-  DIR/comparisons.csv  the answers as pwcmp reads them
-  DIR/figure8.svg, forest_shaders.svg, forest_conditions.svg
-  DIR/report.html      all of it on one self-contained page
-  DIR/power.tsv, power.svg with --power
+FILES WRITTEN (in DIR)
+  report.html          all of it on one self-contained page
+  table2.tsv           one row a condition, with every figure
+  shaders.tsv          one row a shader: over all conditions, by distance, by azimuth
+  participants.tsv     how far each participant's answers can be trusted
+  summary.json         all numbers, what was used and left out, the answer in sentences
+  trials.tsv           one row a trial, for R
+  comparisons.csv      the answers as pwcmp reads them
+  figure8.svg, forest_shaders.svg, forest_conditions.svg; power.tsv, power.svg with --power
 
 EXIT STATUS
   0  done
