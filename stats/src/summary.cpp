@@ -30,8 +30,8 @@ void add_figures(ordered_json& entry, const Tally& tally, const std::optional<Fi
     entry["n"] = tally.n;
     entry["reference_chosen"] = tally.reference_chosen;
     if (figures) {
-        for (const auto& [name, value] : named_figures(*figures)) {
-            entry[name] = number(value);
+        for (const auto& [name, value, whole] : named_figures(*figures)) {
+            entry[name] = whole ? ordered_json(std::llround(value)) : number(value);
         }
         entry["log_bf01"] = number(figures->log_bf01);
     }

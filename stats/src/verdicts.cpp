@@ -29,7 +29,9 @@ std::string mixed_text(const std::optional<MixedModel>& model) {
 /// How many times as probable the answers are under the likelier of the two hypotheses.
 std::string bayes_text(double log_bf01) {
     const double factor = std::exp(std::abs(log_bf01));
-    const std::string times = factor < 1e6 ? fmt::format("{:.3g}", factor) : "over a million";
+    const std::string times = factor >= 1e4   ? "over 10,000"
+                              : factor >= 100 ? fmt::format("{:.0f}", factor)
+                                              : fmt::format("{:.3g}", factor);
     return fmt::format("Bayes factor {} for {}", times, log_bf01 >= 0 ? "no preference" : "a preference");
 }
 

@@ -51,7 +51,7 @@ TEST(ExpertiseTest, findsItsColumnsInEitherFile) {
                  "participant_id\tage\tart_expertise\tpart\nsub-01\t30\tyes\tyes\nsub-02\t31\tno\tno\n"
                  "sub-09\t31\tno\tno\n");
     folder.write("phenotype/b.tsv",
-                 "participant_id\tComputer Graphics\tsmart\r\nsub-01\tn/a\tx\r\nsub-02\tno\tx\r\n");
+                 "participant_id\tsmart\tComputer Graphics\r\nsub-01\tx\tn/a\r\nsub-02\tx\tno\r\n");
     folder.write("phenotype/b.json", "{}");
     const auto questions = stats::read_expertise(folder.path());
     ASSERT_EQ(questions.size(), 2u); // "part" and "smart" are no art

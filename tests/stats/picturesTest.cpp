@@ -31,12 +31,12 @@ TEST(PicturesTest, encodingKeepsEveryPixel) {
 
 TEST(PicturesTest, thumbnailsAreMeansOfSquares) {
     Picture picture = plain(4, 2, 0);
-    picture.rgb[3 * 2] = 40; // the right square's red: 40, 0, 0, 80
-    picture.rgb[3 * (4 + 3)] = 80;
+    picture.rgb[3 * 2] = 40; // the right square's red: 40, 0, 0, 82: 30.5
+    picture.rgb[3 * (4 + 3)] = 82;
     const Picture small = stats::thumbnail(picture, 2);
     EXPECT_EQ(small.width, 2);
     EXPECT_EQ(small.height, 1);
-    EXPECT_EQ(small.rgb, (std::vector<std::uint8_t>{0, 0, 0, 30, 0, 0}));
+    EXPECT_EQ(small.rgb, (std::vector<std::uint8_t>{0, 0, 0, 31, 0, 0}));
     EXPECT_EQ(stats::thumbnail(picture, 99).rgb, picture.rgb); // never enlarged
 }
 

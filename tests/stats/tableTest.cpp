@@ -138,6 +138,46 @@ TEST(TableTest, tsvHasItsColumnsAndReadsBackExactly) {
     }
 }
 
+TEST(TableTest, furtherColumnsHoldTheFiguresTheyName) {
+    // Each column beside the function whose figure it is; the counts of one published condition.
+    const auto rows = published_rows();
+    const Row& one = rows[32];
+    const auto lines = split(to_tsv(rows, false), '\n');
+    const auto names = split(lines[0], '\t'), fields = split(lines[33], '\t');
+    const auto value = [&](const std::string& name) {
+        const auto at = std::find(names.begin(), names.end(), name) - names.begin();
+        return fields.at(static_cast<std::size_t>(at));
+    };
+    const auto [n, k] = one.tally;
+    // Participants 0 to 10 chose the reference twice, the other five never.
+    std::vector<stats::Tally> participants(11, {2, 2});
+    participants.resize(16, {2, 0});
+    const std::pair<const char*, double> expected[] = {
+        {"ci_exact_low", stats::clopper_pearson_interval(k, n).low},
+        {"ci_exact_high", stats::clopper_pearson_interval(k, n).high},
+        {"cohens_g", stats::cohens_g(k, n)},
+        {"p_equivalence", stats::equivalence_p(k, n)},
+        {"bf01", std::exp(stats::log_bayes_factor_01(k, n))},
+        {"participants", 16},
+        {"p_sign_flip", stats::sign_flip(participants).p},
+        {"p_sign_flip_error", 0},
+        {"t", stats::t_test(participants)->t},
+        {"p_t", stats::t_test(participants)->p},
+        {"p_equivalence_t", stats::equivalence_t_test(participants).value()},
+        {"mixed_intercept", NAN}, // each participant is of one mind
+        {"first_chosen", 11 + 5},
+        {"p_first", 1},
+        {"d_prime", stats::sensitivity({{16, 11}, {16, 11}}).d_prime},
+        {"d_prime_order", stats::sensitivity({{16, 11}, {16, 11}}).d_prime_order},
+        {"order_bias", stats::sensitivity({{16, 11}, {16, 11}}).bias},
+        {"rt_q1", 1.5},
+        {"rt_median", 1.5},
+        {"rt_q3", 1.5}};
+    for (const auto& [name, number] : expected) {
+        EXPECT_EQ(value(name), stats::exact(number)) << name;
+    }
+}
+
 TEST(TableTest, numbersAreShortestRoundTrips) {
     EXPECT_EQ(stats::exact(0.1), "0.1");
     EXPECT_EQ(stats::exact(32), "32");

@@ -78,10 +78,11 @@ std::string further_columns();
 std::string first_fields(const Tally& tally, const std::optional<Figures>& figures);
 std::string further_fields(const std::optional<Figures>& figures);
 
-/// The same by name, for JSON: a name and a number, which is not a number where the figure is missing.
+/// The same by name: a number, which is not a number where the figure is missing; whole for counts.
 struct NamedFigure {
     const char* name;
     double value;
+    bool whole = false;
 };
 std::vector<NamedFigure> named_figures(const Figures& figures);
 
