@@ -14,6 +14,9 @@
 namespace stats {
 namespace {
 
+// Where sd passes this, the likelihood rises for ever.
+constexpr double widest_sd = 25;
+
 /// How many participants answered alike; the likelihood needs each tally once.
 using Groups = std::map<Tally, double>;
 
@@ -135,7 +138,7 @@ Maximum climb(const Groups& groups, double intercept, double sd) {
                 higher = true;
             }
         }
-        if (!higher || length < at_rest) {
+        if (!higher || length < at_rest || best.sd > widest_sd) {
             break;
         }
     }
@@ -220,7 +223,7 @@ std::optional<MixedModel> fit_mixed_model(std::span<const Tally> participants) {
     if (ratio > no_rise) {
         // Where the likelihood rises for ever, as sd grows, no summit is reached: Newton's next step, in the
         // curvature's own measure, would not be small.
-        constexpr double widest_sd = 25, small = 1e-6;
+        constexpr double small = 1e-6;
         const double left_to_climb =
             (2 * p.both * p.by_intercept * p.by_sd - p.sd_twice * p.by_intercept * p.by_intercept -
              p.intercept_twice * p.by_sd * p.by_sd) /

@@ -71,8 +71,8 @@ struct Figures {
 /// The figures of each row's answers, none where there is no answer; corrections run over the rows.
 std::vector<std::optional<Figures>> figures_of(std::span<const Answers> rows, const Settings& settings = {});
 
-/// The columns after a row's key: their names, and one row's values, each with a tab before it. `further`
-/// columns are those after the first ten (n ... ci_high).
+/// The columns after a row's key: their names, and one row's values, each with a tab before it. The first are
+/// those from n to ci_high, the further ones all others.
 std::string first_columns();
 std::string further_columns();
 std::string first_fields(const Tally& tally, const std::optional<Figures>& figures);
