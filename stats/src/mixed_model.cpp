@@ -110,7 +110,7 @@ struct Maximum {
 Maximum climb(const Groups& groups, double intercept, double sd) {
     Maximum best{intercept, sd, evaluate(groups, intercept, sd)};
     constexpr int most_steps = 200;
-    constexpr double rounding = 1e-14, at_rest = 1e-11;
+    constexpr double rounding = 1e-14, at_rest = 1e-11, smallest_share = 1e-3;
     for (int step = 0; step < most_steps; ++step) {
         // Newton's step where the surface is concave, else one up each slope by its own curvature.
         const Point& p = best.point;
@@ -130,7 +130,7 @@ Maximum climb(const Groups& groups, double intercept, double sd) {
         }
         // Halve it until it leads upwards; sd and -sd are the same model.
         bool higher = false;
-        for (double share = 1; share > 1e-10 && !higher; share /= 2) {
+        for (double share = 1; share > smallest_share && !higher; share /= 2) {
             const double b = best.intercept + share * db, s = std::abs(best.sd + share * ds);
             const Point candidate = evaluate(groups, b, s);
             if (candidate.value >= p.value - rounding * std::abs(p.value)) {
