@@ -108,10 +108,12 @@ struct TableRow {
 
 std::string figures_table(std::vector<std::string> names, const std::vector<TableRow>& rows,
                           const Columns& columns) {
+    const std::size_t heads = names.size();
     names.insert(names.end(), columns.names.begin(), columns.names.end());
     HtmlTable table("details", names);
     for (const TableRow& row : rows) {
-        std::vector<std::string> cells = row.head;
+        std::vector<std::string> cells(row.head.begin(),
+                                       row.head.begin() + static_cast<std::ptrdiff_t>(heads));
         if (row.figures) {
             const auto further = columns.cells(row.tally, *row.figures);
             cells.insert(cells.end(), further.begin(), further.end());
@@ -122,10 +124,13 @@ std::string figures_table(std::vector<std::string> names, const std::vector<Tabl
     return table.html();
 }
 
-/// Both tables: participants as the sample, and answers.
-std::string both_tables(const std::vector<std::string>& names, const std::vector<TableRow>& rows) {
+/// Both tables: participants as the sample, with all heading cells, and answers, with those that name the
+/// row.
+std::string both_tables(const std::vector<std::string>& names, std::size_t naming,
+                        const std::vector<TableRow>& rows) {
+    const std::vector<std::string> fewer(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(naming));
     return "<h3>Participants as the sample</h3>\n" + figures_table(names, rows, participant_columns()) +
-           "<h3>Answers as the sample</h3>\n" + figures_table(names, rows, pooled_columns());
+           "<h3>Answers as the sample</h3>\n" + figures_table(fewer, rows, pooled_columns());
 }
 
 std::string group_label(const GroupRow& group) {
@@ -180,7 +185,7 @@ std::string shaders_html(const Analysis& analysis) {
                            "shaders.tsv has every digit.",
                            analysis.groups.size(), alpha),
                "note") +
-           both_tables({"Shader", "Verdict"}, rows);
+           both_tables({"Shader", "Verdict"}, 1, rows);
 }
 
 std::string conditions_html(const Analysis& analysis) {
@@ -197,7 +202,7 @@ std::string conditions_html(const Analysis& analysis) {
                    "{}. table2.tsv has every digit.",
                    analysis.rows.size(), alpha),
                "note") +
-           both_tables({"Configuration", "Test"}, rows);
+           both_tables({"Configuration", "Test"}, 2, rows);
 }
 
 std::string order_html(const Analysis& analysis) {
