@@ -61,7 +61,7 @@ std::string answer(const Analysis& analysis) {
         html += fmt::format("<li><strong>{}</strong> {}</li>\n", html_text(verdict.headline),
                             html_text(verdict.evidence));
     }
-    return html + "</ul>\n<h3>In which conditions</h3>\n" + list_of(findings(analysis.rows));
+    return html + "</ul>\n<h3>In which conditions, by the paper's test</h3>\n" + list_of(findings(analysis.rows));
 }
 
 } // namespace

@@ -47,12 +47,11 @@ std::vector<std::string> disagreements(const Analysis& analysis) {
         const ParticipantLevel& level = group->figures->participant;
         sentences.push_back(fmt::format(
             "Pooled and participant-level tests disagree on {} against {} over all conditions: with all "
-            "answers "
-            "as if independent p {}, with the {} participants as the sample p {} (exact sign-flip; {}). "
-            "Answers of "
-            "one participant are not independent: rely on the participant-level test.",
+            "answers as if independent p {}, with the {} participants as the sample p {} ({}sign-flip; {}). "
+            "Answers of one participant are not independent: rely on the participant-level test.",
             shader_label(group->test), shader_label(group->reference), p_phrase(group->figures->chi_square.p),
-            level.participants, p_phrase(level.sign_flip.p), mixed_text(level.mixed)));
+            level.participants, p_phrase(level.sign_flip.p), level.sign_flip.exact ? "exact " : "",
+            mixed_text(level.mixed)));
     }
     if (sentences.empty() && !shaders.empty()) {
         sentences.push_back("Pooled and participant-level tests agree on every shader over all conditions.");
