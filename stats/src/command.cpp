@@ -3,10 +3,8 @@
 
 #include <stats/command.h>
 
+#include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <list>
-#include <map>
 #include <memory>
 #include <string>
 
@@ -15,16 +13,20 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <stats/study.h>
-#include <stats/table.h>
+#include <stats/analysis.h>
+#include <stats/exports.h>
 #include <support/error.h>
-#include <support/file.h>
 
 #include "figure8.h"
 #include "findings.h"
+#include "forest.h"
+#include "labels.h"
+#include "output.h"
+#include "power_report.h"
 #include "report.h"
 #include "summary.h"
 #include "table_text.h"
+#include "verdicts.h"
 
 namespace stats {
 namespace {
@@ -32,22 +34,37 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* footer = R"(DESCRIPTION
-  Reads the logs STUDY/sub-*/beh/sub-*_task-skin2afc[_run-NN]_beh.tsv, tests in each condition whether the
-  answers differ from half and half (one-sample chi-square, df 1), and prints the result as a table:
-  configurations down, test shaders across. Conditions without a significant difference (p > 0.05) carry a
-  star.
+  Reads the logs STUDY/sub-*/beh/sub-*_task-skin2afc[_run-NN]_beh.tsv and says where the shaders differ, which
+  are as good as each other, and how sure that is: Table II of Jimenez, Sundstedt and Gutierrez (2009) - a
+  chi-square (df 1) of each condition's answers against half and half; a star marks p > 0.05 - and a table by
+  shader.
+
+  Answers of one participant are not independent: beside the pooled tests stand an exact sign-flip test, a t-test
+  and a logistic mixed model with the participants as the sample, and the answer says where they disagree.
+  Equivalence is tested within --bounds; the Bayes factor has the prior Beta(1, 1).
 
   Of each participant's runs the last complete one counts or, where none is complete, the last that holds
-  trials. Complete is a run with the trials its sidecar (.json beside the log, field TrialsPlanned) plans or,
-  without one, with as many as the longest log. Answers n/a are left out; a last line that was cut off is set
-  aside. The report lists what was left out. Analyses of simulated data say so.
+  trials. Complete is a run with the trials its sidecar plans (TrialsPlanned) or, without one, with as many as
+  the longest log. Answers n/a and a last line that was cut off are left out. The report lists what was.
 
-FILES WRITTEN
-  DIR/table2.tsv    one row a condition: counts, proportion, chi-square, its p, exact binomial p, p after
-                    Holm, q after Benjamini and Hochberg, Wilson 95 % interval; numbers read back exactly
-  DIR/summary.json  runs and lines used and left out, findings, and the table
-  DIR/figure8.svg   proportion choosing the reference by azimuth and by distance, drawn by gnuplot
-  DIR/report.html   all of it on one self-contained page, with STUDY/stimuli/contact_sheet.png if it is there
+  A log that is not as protocols/FORMAT.md has it, or a run of another protocol, refuses the study, with file and
+  line; --skip-bad leaves such files out and lists them.
+
+  Expertise: columns of participants.tsv and phenotype/*.tsv whose names have one of the words expertise, expert,
+  experience, experienced, graphics, art, arts, drawing, photography.
+
+  --power plans a study, without logs: the proportion that a design finds, the participants that a proportion
+  needs, exactly for independent answers and by simulation for participants who differ.
+
+FILES WRITTEN (in DIR)
+  report.html          all of it on one self-contained page
+  table2.tsv           one row a condition, with every figure
+  shaders.tsv          one row a shader: over all conditions, by distance, by azimuth
+  participants.tsv     how far each participant's answers can be trusted
+  summary.json         all numbers, what was used and left out, the answer in sentences
+  trials.tsv           one row a trial, for R
+  comparisons.csv      the answers as pwcmp reads them
+  figure8.svg, forest_shaders.svg, forest_conditions.svg; power.tsv, power.svg with --power
 
 EXIT STATUS
   0  done
@@ -55,32 +72,42 @@ EXIT STATUS
   2  bad usage or bad input; nothing was written
 
 EXAMPLE
-  skin2afc analyse out/study --out out/analysis)";
+  skin2afc analyse out/study --out out/analysis --stimuli out/stimuli
+  skin2afc analyse --power --participants 24 --trials 24 --proportion 0.6)";
 
 struct Arguments {
-    fs::path study, out;
+    fs::path study, out, stimuli;
+    std::vector<double> bounds{EquivalenceBounds{}.low, EquivalenceBounds{}.high};
+    Leniency leniency;
+    bool power = false;
+    PowerPlan plan;
 };
 
-/// Write all files beside their places before the first is put in place, so that a full disk changes none.
-void write_together(const fs::path& folder, const std::map<std::string, std::string>& contents_by_name) {
-    support::make_writable_folder(folder);
-    std::list<support::PendingFile> pending;
-    for (const auto& [name, content] : contents_by_name) {
-        support::PendingFile& file = pending.emplace_back(folder / name);
-        std::ofstream stream(file.path(), std::ios::binary);
-        stream.write(content.data(), static_cast<std::streamsize>(content.size()));
-        stream.close();
-        if (!stream) {
-            throw support::failure("{}: cannot be written", (folder / name).string());
+/// The shaders over all conditions, in aligned columns.
+std::string shaders_text(const Analysis& analysis) {
+    std::string text = fmt::format("{:28}{:>10}{:>8}{:>16}{:>10}{:>11}{:>10}{:>13}{:>10}  {}\n",
+                                   "Over all conditions", "chosen", "share", "Wilson 95 %", "pooled p",
+                                   "sign-flip", "mixed p", "equivalence", "BF01", "verdict");
+    for (const GroupRow* group : overall(analysis.groups)) {
+        if (!group->figures) {
+            continue;
         }
+        const Figures& f = *group->figures;
+        const auto& mixed = f.participant.mixed;
+        text += fmt::format(
+            "{:28}{:>10}{:>8.3f}{:>16}{:>10.2g}{:>11.2g}{:>10}{:>13.2g}{:>10.2g}  {}\n",
+            fmt::format("{} against {}", shader_label(group->test), shader_label(group->reference)),
+            fmt::format("{}/{}", group->tally.reference_chosen, group->tally.n), f.proportion,
+            fmt::format("{:.3f} to {:.3f}", f.ci.low, f.ci.high), f.chi_square.p, f.participant.sign_flip.p,
+            mixed ? fmt::format("{:.2g}", mixed->p) : "n/a", f.p_equivalence, std::exp(f.log_bf01),
+            verdict_words(f, analysis.settings.bounds));
     }
-    for (support::PendingFile& file : pending) {
-        file.commit();
-    }
+    return text;
 }
 
 /// The result on the terminal.
-void print_result(const Study& study, std::span<const Row> rows) {
+void print_result(const Analysis& analysis) {
+    const Study& study = analysis.study;
     const Contents found = contents(study);
     const std::string notice = simulated_notice(study);
     if (!notice.empty()) {
@@ -88,9 +115,19 @@ void print_result(const Study& study, std::span<const Row> rows) {
     }
     fmt::print("{}: {} participants, {} answers\n\n", support::one_line(study.name), found.participants,
                found.trials - found.unanswered);
-    fmt::print("{}\n", table2_text(paper_grid(rows), ::isatty(STDOUT_FILENO) == 1));
-    for (const std::string& sentence : findings(rows)) {
-        fmt::print("{}\n", sentence);
+    fmt::print("{}\n", table2_text(paper_grid(analysis.rows), ::isatty(STDOUT_FILENO) == 1));
+    fmt::print("{}\n", shaders_text(analysis));
+    for (const auto& sentences : {disagreements(analysis), findings(analysis.rows)}) {
+        for (const std::string& sentence : sentences) {
+            fmt::print("{}\n", sentence);
+        }
+    }
+    fmt::print("{}\n", order_sentence(analysis));
+    for (const ExpertiseComparison& comparison : analysis.expertise) {
+        fmt::print("Expertise {}\n", support::one_line(expertise_sentence(comparison)));
+    }
+    for (const std::string& note : quality_notes(study, analysis.participants)) {
+        fmt::print("{}\n", note);
     }
 
     std::size_t runs_left_out = 0, lines_set_aside = 0;
@@ -98,39 +135,126 @@ void print_result(const Study& study, std::span<const Row> rows) {
         runs_left_out += run.used ? 0 : 1;
         lines_set_aside += run.log.torn ? 1 : 0;
     }
-    if (runs_left_out + lines_set_aside + found.unanswered > 0) {
-        fmt::print("Left out, see the report: runs {}, torn lines {}, trials without an answer {}.\n",
-                   runs_left_out, lines_set_aside, found.unanswered);
+    if (runs_left_out + lines_set_aside + found.unanswered + study.bad_files.size() > 0) {
+        fmt::print(
+            "Left out, see the report: runs {}, bad files {}, torn lines {}, trials without an answer {}.\n",
+            runs_left_out, study.bad_files.size(), lines_set_aside, found.unanswered);
     }
 }
 
 void analyse(const Arguments& arguments) {
     // Make everything before anything is written.
-    const Study study = read_study(arguments.study);
-    const std::vector<Row> rows = make_table(study);
-    const auto contact_sheet = read_png(arguments.study / "stimuli" / "contact_sheet.png");
-    const std::string figure = figure8(rows, simulated_notice(study));
-    write_together(arguments.out, {{"table2.tsv", to_tsv(rows, is_simulated(study))},
-                                   {"summary.json", summary_json(study, rows)},
-                                   {"figure8.svg", figure},
-                                   {"report.html", report_html(study, rows, figure, contact_sheet)}});
-    print_result(study, rows);
-    fmt::print("\nWritten to {}: table2.tsv, figure8.svg, summary.json, report.html\n",
-               support::one_line(arguments.out.string()));
+    const Settings settings{{arguments.bounds[0], arguments.bounds[1]}, arguments.plan.seed};
+    const Analysis analysis = analyse_study(arguments.study, settings, arguments.leniency);
+    const fs::path stimuli = arguments.stimuli.empty() ? arguments.study / "stimuli" : arguments.stimuli;
+    const bool simulated = is_simulated(analysis.study);
+    const std::string notice = simulated_notice(analysis.study);
+    const ReportFigures figures{figure8(analysis.rows, notice), forest_of_shaders(analysis, notice),
+                                forest_of_conditions(analysis, notice),
+                                condition_pictures(analysis.rows, stimuli),
+                                read_png(arguments.study / "stimuli" / "contact_sheet.png")};
+    write_together(arguments.out, {{"table2.tsv", to_tsv(analysis.rows, simulated)},
+                                   {"shaders.tsv", to_tsv(analysis.groups, simulated)},
+                                   {"participants.tsv", to_tsv(analysis.participants, simulated)},
+                                   {"summary.json", summary_json(analysis)},
+                                   {"trials.tsv", trials_tsv(analysis.study)},
+                                   {"comparisons.csv", comparisons_csv(analysis.study)},
+                                   {"figure8.svg", figures.figure8},
+                                   {"forest_shaders.svg", figures.shaders},
+                                   {"forest_conditions.svg", figures.conditions},
+                                   {"report.html", report_html(analysis, figures)}});
+    print_result(analysis);
+    fmt::print(
+        "\nWritten to {}: report.html, table2.tsv, shaders.tsv, participants.tsv, summary.json, trials.tsv, "
+        "comparisons.csv and three figures\n",
+        support::one_line(arguments.out.string()));
+}
+
+void plan_study(const Arguments& arguments) {
+    const PowerReport report = power_report(arguments.plan);
+    if (!arguments.out.empty()) {
+        write_together(arguments.out, {{"power.tsv", report.tsv}, {"power.svg", report.svg}});
+    }
+    fmt::print("{}", report.text);
+    if (!arguments.out.empty()) {
+        fmt::print("\nWritten to {}: power.tsv, power.svg\n", support::one_line(arguments.out.string()));
+    }
+}
+
+void run(const Arguments& arguments) {
+    if (arguments.power) {
+        plan_study(arguments);
+        return;
+    }
+    for (const auto& [name, value] : {std::pair("STUDY", arguments.study), {"--out", arguments.out}}) {
+        if (value.empty()) {
+            throw CLI::RequiredError(name);
+        }
+    }
+    if (!(arguments.bounds[0] < arguments.bounds[1])) {
+        throw support::input_error("--bounds: expected the lower bound first, found {} and {}",
+                                   arguments.bounds[0], arguments.bounds[1]);
+    }
+    analyse(arguments);
+}
+
+void add_power_options(CLI::App& command, PowerPlan& plan) {
+    const char* const group = "With --power";
+    command.add_option("--participants", plan.participants, "Participants of the design")
+        ->check(CLI::Range(2, 1000))
+        ->capture_default_str()
+        ->group(group);
+    command.add_option("--trials", plan.trials, "Trials of each participant on the question that is tested")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str()
+        ->group(group);
+    command
+        .add_option("--proportion", plan.proportion, "Proportion choosing the reference that is to be found")
+        ->check(CLI::Range(0.5, 1.0))
+        ->capture_default_str()
+        ->group(group);
+    command
+        .add_option("--spread", plan.spreads, "Standard deviations between participants, on the logit scale")
+        ->check(CLI::Range(0.0, 5.0))
+        ->expected(1, 4)
+        ->delimiter(',')
+        ->capture_default_str()
+        ->group(group);
+    command.add_option("--studies", plan.studies, "Simulated studies for each figure")
+        ->check(CLI::Range(100, 1000000))
+        ->capture_default_str()
+        ->group(group);
 }
 
 } // namespace
 
 void add_command(CLI::App& app) {
     const auto arguments = std::make_shared<Arguments>();
-    CLI::App* command = app.add_subcommand("analyse", "Analyse a study's logs: Table II, Figure 8, a report");
-    command->add_option("STUDY", arguments->study, "The study's folder (BIDS), as skin2afc session writes it")
-        ->required();
-    command->add_option("--out", arguments->out, "Folder for the results; made if missing")
-        ->required()
+    CLI::App* command =
+        app.add_subcommand("analyse", "Analyse a study's logs: Table II, Figure 8, participants, a report");
+    command->add_option("STUDY", arguments->study,
+                        "The study's folder (BIDS), as skin2afc session writes it");
+    command->add_option("--out", arguments->out, "Folder for the results; made if missing")->type_name("DIR");
+    command
+        ->add_option("--stimuli", arguments->stimuli,
+                     "Folder of the stimuli, to show them; default STUDY/stimuli")
         ->type_name("DIR");
+    command
+        ->add_option("--bounds", arguments->bounds, "Proportions between which shaders count as equally good")
+        ->expected(2)
+        ->delimiter(',')
+        ->check(CLI::Range(0.001, 0.999))
+        ->capture_default_str()
+        ->type_name("LOW,HIGH");
+    command->add_option("--seed", arguments->plan.seed, "Seed of whatever is drawn at random")
+        ->capture_default_str();
+    command->add_flag("--skip-bad", arguments->leniency.skip_bad, "Leave bad files out and list them");
+    command->add_flag("--mixed-protocols", arguments->leniency.mixed_protocols,
+                      "Take runs of different protocol files together");
+    command->add_flag("--power", arguments->power, "Plan a study: power, without logs");
+    add_power_options(*command, arguments->plan);
     command->footer(footer);
-    command->callback([arguments] { analyse(*arguments); });
+    command->callback([arguments] { run(*arguments); });
 }
 
 } // namespace stats

@@ -4,7 +4,6 @@
 #include "figure8.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <string_view>
@@ -12,37 +11,13 @@
 
 #include <fmt/format.h>
 
-#include <support/gnuplot.h>
-
 #include "labels.h"
+#include "plot.h"
 
 namespace stats {
 namespace {
 
-/// A series' look: a colour that colour-blind readers tell apart [Okabe2008] and gnuplot's number of a
-/// marker.
-struct Style {
-    std::string_view colour;
-    int marker;
-};
-constexpr std::array<Style, 7> styles{{{"#d55e00", 5},   // vermilion square
-                                       {"#0072b2", 7},   // blue circle
-                                       {"#009e73", 9},   // green triangle
-                                       {"#cc79a7", 13},  // purple diamond
-                                       {"#e69f00", 11},  // orange triangle, point down
-                                       {"#56b4e9", 15},  // sky-blue pentagon
-                                       {"#000000", 4}}}; // black open square
-
-constexpr double marker_size = 0.75;
 constexpr std::string_view no_preference = "no preference";
-constexpr std::string_view no_preference_style =
-    "with lines linecolor '#555555' linewidth 1.5 dashtype (8, 5)";
-
-/// gnuplot's words for a series' look; after one round of the colours the markers are paired anew.
-std::string marker_style(std::size_t series) {
-    return fmt::format("linecolor '{}' pointtype {} pointsize {}", styles[series % styles.size()].colour,
-                       styles[(series + series / styles.size()) % styles.size()].marker, marker_size);
-}
 
 /// One pair of shaders.
 struct Series {
@@ -172,29 +147,20 @@ std::string legend_script(const std::vector<Series>& series, const Layout& layou
 
 /// The commands that open the figure and set what both panels share.
 std::string head_script(const Layout& layout, const std::string& reference, const std::string& notice) {
-    std::string text = fmt::format(
-        "set terminal svg noenhanced dynamic size {},{} font 'DejaVu Sans,15' background '#ffffff'\n"
-        "set encoding utf8\nset multiplot\nunset key\n"
-        "set tmargin at screen {}\nset bmargin at screen {}\n"
-        "set border 3 linecolor '#333333' linewidth 1\n"
-        "set tics nomirror out scale 0.6\nset xtics scale 0\n"
-        "set grid ytics linecolor '#e2e2e2' linewidth 1 linetype 1\n"
-        "set yrange [0:1.03]\nset ytics 0, 0.25, 1\nset bars 0.6\nset pointintervalbox 0.01\n"
-        "set ylabel 'Proportion choosing {}' offset 1, 0\n",
-        Layout::width, layout.height, 1 - Layout::title / layout.height, layout.frame_bottom / layout.height,
-        reference);
+    std::string text =
+        figure_head(Layout::width, layout.height) +
+        fmt::format("set multiplot\nunset key\n"
+                    "set tmargin at screen {}\nset bmargin at screen {}\n"
+                    "set border 3 linecolor '#333333' linewidth 1\n"
+                    "set tics nomirror out scale 0.6\nset xtics scale 0\n"
+                    "set grid ytics linecolor '#e2e2e2' linewidth 1 linetype 1\n"
+                    "set yrange [0:1.03]\nset ytics 0, 0.25, 1\nset bars 0.6\nset pointintervalbox 0.01\n"
+                    "set ylabel 'Proportion choosing {}' offset 1, 0\n",
+                    1 - Layout::title / layout.height, layout.frame_bottom / layout.height, reference);
     if (!notice.empty()) {
-        text += fmt::format("set label 1 '{}' at screen 0.53, {} center textcolor '#b00020'\n", notice,
-                            1 - Layout::margin / layout.height);
+        text += notice_label(notice, 0.53, 1 - Layout::margin / layout.height);
     }
     return text;
-}
-
-/// Replace every occurrence.
-void replace_all(std::string& text, std::string_view from, std::string_view to) {
-    for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
-        text.replace(at, from.size(), to);
-    }
 }
 
 } // namespace
@@ -222,13 +188,7 @@ std::string figure8(std::span<const Row> rows, const std::string& notice) {
     script += legend_script(series, layout);
     script += "unset multiplot\n";
 
-    std::string svg = support::gnuplot_svg(script);
-    // Give the figure its name, and readers without the font another one of the kind.
-    replace_all(svg, "<title>Gnuplot</title>",
-                "<title>Figure 8: proportion of answers that chose the reference</title>");
-    replace_all(svg, "font-family=\"DejaVu Sans\"",
-                "font-family=\"DejaVu Sans, Verdana, Helvetica, Arial, sans-serif\"");
-    return svg;
+    return drawn(script, "Figure 8: proportion of answers that chose the reference");
 }
 
 } // namespace stats

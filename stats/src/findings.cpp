@@ -12,20 +12,6 @@
 namespace stats {
 namespace {
 
-constexpr std::size_t longest_list = 6;
-
-/// "a, b and c"; a long list ends in "and 7 others".
-std::string listed(std::vector<std::string> items) {
-    if (items.size() > longest_list) {
-        const std::size_t others = items.size() - longest_list;
-        items.resize(longest_list);
-        items.push_back(fmt::format("{} others", others));
-    }
-    const std::string last = items.back();
-    items.pop_back();
-    return items.empty() ? last : fmt::format("{} and {}", fmt::join(items, ", "), last);
-}
-
 std::string place(const Row& row) {
     return fmt::format("{} - {}", distance_label(row.condition.distance),
                        azimuth_label(row.condition.azimuth_deg));
@@ -59,7 +45,7 @@ struct Pair {
 };
 
 template <typename Describe>
-std::string listed(const std::vector<const Row*>& rows, Describe describe) {
+std::string listed_rows(const std::vector<const Row*>& rows, Describe describe) {
     std::vector<std::string> items;
     std::transform(rows.begin(), rows.end(), std::back_inserter(items), describe);
     return listed(std::move(items));
@@ -81,11 +67,11 @@ std::string sentence(const Pair& pair) {
             "{} shows no significant difference from {} in {} of {} conditions (p > {}); it differs "
             "in {}",
             pair.test, pair.reference, pair.alike.size(), tested, alpha,
-            listed(pair.different, place_with_p));
+            listed_rows(pair.different, place_with_p));
     } else {
         text =
             fmt::format("{} differs from {} in {} of {} conditions (p \u2264 {}), but not in {}", pair.test,
-                        pair.reference, different, tested, alpha, listed(pair.alike, place_with_p));
+                        pair.reference, different, tested, alpha, listed_rows(pair.alike, place_with_p));
     }
     if (different > 0 && pair.test_preferred == different) {
         text += fmt::format("; {} was the one preferred there", pair.test);
@@ -125,7 +111,7 @@ std::string sentence_on_corrections(std::span<const Row> rows, const Significanc
                                shader_label(row->condition.test), shader_label(row->condition.reference),
                                place(*row), row->figures->p_holm, row->figures->q_bh);
         };
-        text += fmt::format(". Not significant after Holm's: {}", listed(lost, describe));
+        text += fmt::format(". Not significant after Holm's: {}", listed_rows(lost, describe));
     }
     return text + ".";
 }

@@ -48,4 +48,16 @@ std::string p_text(double p) { return p == 1 ? "1" : fmt::format("{:.3f}", p); }
 
 std::string p_phrase(double p) { return p < 0.0005 ? "< 0.001" : fmt::format("= {:.3f}", p); }
 
+std::string listed(std::vector<std::string> items) {
+    constexpr std::size_t longest_list = 6;
+    if (items.size() > longest_list) {
+        const std::size_t others = items.size() - longest_list;
+        items.resize(longest_list);
+        items.push_back(fmt::format("{} others", others));
+    }
+    const std::string last = items.back();
+    items.pop_back();
+    return items.empty() ? last : fmt::format("{} and {}", fmt::join(items, ", "), last);
+}
+
 } // namespace stats

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <stats/log.h>
 
@@ -33,5 +34,8 @@ std::string p_text(double p);
 
 /// A p-value for running text: "= 0.034" or "< 0.001".
 std::string p_phrase(double p);
+
+/// "a, b and c"; a long list ends in "and 7 others". Not for an empty one.
+std::string listed(std::vector<std::string> items);
 
 } // namespace stats

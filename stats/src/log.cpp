@@ -38,6 +38,9 @@ constexpr std::array<std::string_view, column_count> column_names{
     "trial",    "reference", "test",          "distance",    "azimuth_deg", "first",       "second",
     "response", "chosen",    "response_time", "onset_first", "onset_grey",  "onset_second"};
 
+constexpr std::array<std::string_view, 5> known_shaders{"no_sss", "ts", "ss_jittered", "ss_full",
+                                                        "reference"};
+
 constexpr std::string_view missing = "n/a", byte_order_mark = "\xef\xbb\xbf";
 constexpr std::size_t longest_name = 64;
 // Far above the longest session; a larger file is no log.
@@ -105,11 +108,20 @@ struct Line {
         return *value + 0.0; // -0 becomes 0
     }
 
-    void check_seconds(Column column) const {
-        constexpr double longest_s = 1e9;
-        if (fields[column] != missing) {
-            number_between(column, 0, longest_s, "seconds from 0 on, or n/a");
+    /// One of the shaders that a protocol may name.
+    std::string shader(Column column) const {
+        const std::string found = name(column);
+        if (std::find(known_shaders.begin(), known_shaders.end(), found) == known_shaders.end()) {
+            throw error(column, fmt::format("a shader ({})", fmt::join(known_shaders, ", ")));
         }
+        return found;
+    }
+
+    std::optional<double> seconds(Column column) const {
+        constexpr double longest_s = 1e9;
+        return fields[column] == missing
+                   ? std::nullopt
+                   : std::optional(number_between(column, 0, longest_s, "seconds from 0 on, or n/a"));
     }
 };
 
@@ -118,8 +130,16 @@ void check_header(const Line& line) {
     if (found.front().starts_with(byte_order_mark)) {
         throw line.error("expected plain UTF-8 without a byte order mark");
     }
-    if (found.size() == 1 && found.front().find(',') != std::string_view::npos) {
-        throw line.error("expected columns separated by tabs, found commas");
+    // What spreadsheets make of a log: other separators, texts in quotes.
+    if (found.size() == 1) {
+        for (const auto& [separator, name] : {std::pair(',', "commas"), std::pair(';', "semicolons")}) {
+            if (found.front().find(separator) != std::string_view::npos) {
+                throw line.error(fmt::format("expected columns separated by tabs, found {}", name));
+            }
+        }
+    }
+    if (found.front().starts_with('"')) {
+        throw line.error("expected plain texts, found quotes");
     }
     for (std::size_t i = 0; i < column_count; ++i) {
         if (i >= found.size() || found[i] != column_names[i]) {
@@ -156,15 +176,17 @@ Trial parse_trial(const Line& line) {
         throw line.error(trial, "a whole number from 1 on");
     }
     result.number = *number;
-    result.condition = {line.name(reference), line.name(test), line.name(distance),
+    result.condition = {line.shader(reference), line.shader(test), line.name(distance),
                         line.number_between(azimuth_deg, -360, 360, "degrees from -360 to 360")};
     if (result.condition.reference == result.condition.test) {
         throw line.error(test, "another shader than the reference");
     }
     result.reference_chosen = answer(line, result.condition);
-    for (const Column column : {response_time, onset_first, onset_grey, onset_second}) {
-        line.check_seconds(column);
-    }
+    result.reference_first = line.fields[first] == result.condition.reference;
+    result.response_time_s = line.seconds(response_time);
+    result.onset_first_s = line.seconds(onset_first);
+    result.onset_grey_s = line.seconds(onset_grey);
+    result.onset_second_s = line.seconds(onset_second);
     return result;
 }
 

@@ -23,6 +23,14 @@ void check_counts(std::int64_t successes, std::int64_t trials) {
     }
 }
 
+void check_interval(std::int64_t successes, std::int64_t trials, double confidence) {
+    check_counts(successes, trials);
+    if (trials == 0 || !(confidence > 0 && confidence < 1)) {
+        throw std::invalid_argument(
+            fmt::format("expected trials > 0 and 0 < confidence < 1, found {} and {}", trials, confidence));
+    }
+}
+
 /// The number of leading elements of 0 ... count-1 for which the condition holds; it holds for a prefix.
 template <typename Condition>
 std::int64_t prefix_length(std::int64_t count, Condition holds) {
@@ -100,11 +108,7 @@ double binomial_two_sided_p(std::int64_t successes, std::int64_t trials, double 
 }
 
 Interval wilson_interval(std::int64_t successes, std::int64_t trials, double confidence) {
-    check_counts(successes, trials);
-    if (trials == 0 || !(confidence > 0 && confidence < 1)) {
-        throw std::invalid_argument(
-            fmt::format("expected trials > 0 and 0 < confidence < 1, found {} and {}", trials, confidence));
-    }
+    check_interval(successes, trials, confidence);
     const auto n = static_cast<double>(trials), k = static_cast<double>(successes);
     const double z =
         boost::math::quantile(boost::math::complement(boost::math::normal(), (1 - confidence) / 2));
@@ -117,6 +121,25 @@ Interval wilson_interval(std::int64_t successes, std::int64_t trials, double con
     // The lower root follows from the product of the roots, which loses no digits near 0.
     const double low = p * p / ((1 + c) * high);
     return {std::clamp(low, 0.0, p), std::clamp(high, p, 1.0)};
+}
+
+Interval clopper_pearson_interval(std::int64_t successes, std::int64_t trials, double confidence) {
+    check_interval(successes, trials, confidence);
+    const auto n = static_cast<double>(trials), k = static_cast<double>(successes);
+    const double tail = (1 - confidence) / 2;
+
+    // The bounds are the proportions under which the count is just improbable on one side.
+    using boost::math::binomial;
+    return {successes == 0 ? 0 : binomial::find_lower_bound_on_p(n, k, tail),
+            successes == trials ? 1 : binomial::find_upper_bound_on_p(n, k, tail)};
+}
+
+double cohens_g(std::int64_t successes, std::int64_t trials) {
+    check_counts(successes, trials);
+    if (trials == 0) {
+        throw std::invalid_argument("expected trials > 0, found 0");
+    }
+    return std::abs(static_cast<double>(2 * successes - trials)) / (2 * static_cast<double>(trials));
 }
 
 } // namespace stats

@@ -8,21 +8,31 @@ namespace stats {
 /// The report's style sheet: light and dark, screen and paper.
 inline constexpr const char* report_style = R"css(
 :root { color-scheme: light dark; --ink: #1c1b1a; --soft: #5d5a57; --paper: #ffffff; --line: #dcd8d3;
-        --mark: #fff1c9; --mark-ink: #4a3500; --alarm: #b00020; }
+        --mark: #fff1c9; --mark-ink: #4a3500; --alarm: #b00020; --same: #b98a00; }
 @media (prefers-color-scheme: dark) {
   :root { --ink: #eceae7; --soft: #a8a49f; --paper: #191817; --line: #3c3936;
-          --mark: #4b3c12; --mark-ink: #ffe9ad; --alarm: #cf3a50; } }
+          --mark: #4b3c12; --mark-ink: #ffe9ad; --alarm: #cf3a50; --same: #e3b341; } }
 * { box-sizing: border-box; }
 body { margin: 0; background: var(--paper); color: var(--ink);
        font: 16px/1.55 "DejaVu Sans", "Segoe UI", Roboto, Helvetica, Arial, sans-serif; }
-main { max-width: 64rem; margin: 0 auto; padding: 1.5rem 1.25rem 4rem; }
+main { max-width: 72rem; margin: 0 auto; padding: 1.5rem 1.25rem 4rem; }
 h1 { font-size: 1.7rem; line-height: 1.2; margin: 1rem 0 .2rem; overflow-wrap: anywhere; }
 h2 { font-size: 1.2rem; margin: 2.4rem 0 .6rem; border-top: 1px solid var(--line); padding-top: 1.2rem; }
 p, ul { max-width: 46rem; margin: .5rem 0; }
 li { overflow-wrap: anywhere; margin: .3rem 0; }
 .facts, .note, figcaption { color: var(--soft); font-size: .9rem; }
 .banner { background: var(--alarm); color: #fff; font-weight: bold; text-align: center; padding: .6rem 1rem; }
-.answer { font-size: 1.05rem; padding-left: 1.1rem; }
+.answer { padding-left: 1.1rem; } .answer strong { font-size: 1.05rem; }
+.watermark { display: none; }
+.warning { background: var(--mark); color: var(--mark-ink); border-left: 4px solid var(--alarm);
+           padding: .6rem 1rem .6rem 2rem; font-weight: bold; max-width: none; }
+ul.note { list-style: none; padding-left: 0; }
+h3 { font-size: 1rem; margin: 1.4rem 0 .4rem; }
+.cards { display: flex; flex-wrap: wrap; gap: .6rem; margin: .8rem 0; align-items: flex-start; }
+.pair { display: flex; gap: .2rem; border: 2px solid transparent; border-radius: 6px; padding: 2px; }
+.pair.same { border-color: var(--same); }
+.thumb { margin: 0; width: 8.4rem; } .thumb img { display: block; width: 100%; height: auto; }
+.thumb figcaption { font-size: .75rem; line-height: 1.3; }
 .scroll, .card { overflow-x: auto; }
 .scroll th:first-child { position: sticky; left: 0; background: var(--paper); }
 table { border-collapse: separate; border-spacing: 0; width: 100%; font-size: .92rem;
@@ -30,8 +40,10 @@ table { border-collapse: separate; border-spacing: 0; width: 100%; font-size: .9
 th, td { padding: .3rem .7rem; text-align: right; white-space: nowrap; border-bottom: 1px solid var(--line); }
 th { font-weight: 600; }
 .details { font-size: .82rem; }
-.details th, .details td { padding: .2rem .5rem; }
-th[scope=row], th:first-child, .left, .details th:nth-child(2) { text-align: left; }
+.details th, .details td { padding: .2rem .45rem; }
+.details thead th { white-space: normal; vertical-align: bottom; }
+th[scope=row], th:first-child { text-align: left; }
+.details th:nth-child(2), .details td:nth-child(2) { text-align: left; }
 th[scope=row] { font-weight: normal; }
 th[scope=colgroup] { text-align: center; }
 thead tr:last-child th { border-bottom: 2px solid var(--soft); }
@@ -42,17 +54,23 @@ figure { margin: 1rem 0; }
 @media print {
   :root { color-scheme: light; --ink: #000; --soft: #444; --paper: #fff; --line: #bbb;
           --mark: #eee; --mark-ink: #000; --alarm: #b00020; }
-  body { font-size: 10pt; } main { max-width: none; padding: 0; }
+  html, body { font-size: 9.5pt; } main { max-width: none; padding: 0; }
   .banner { background: #fff; color: #b00020; border: 2px solid #b00020; }
-  h2 { break-after: avoid; } figure, .table2, tr { break-inside: avoid; }
+  h2, h3, .note { break-after: avoid; } figure, .table2, tr { break-inside: avoid; }
+  .cards, .pair { break-inside: avoid; } .thumb { width: 2.1cm; } .thumb figcaption { font-size: 6pt; }
+  .details { font-size: 6.3pt; } .details th, .details td { padding: .1rem .15rem; }
+  .details th[scope=row] { white-space: normal; }
   .scroll, .card { overflow: visible; }
   .card svg, .card img { min-width: 0; } .scroll th:first-child { position: static; }
   table { font-size: 8.5pt; } th, td { padding: .15rem .4rem; }
 }
 )css";
 
-/// On paper, simulated data say so on every page, where the browser can print into the margins.
-inline constexpr const char* simulated_page_style =
-    "@page { @top-center { content: 'SIMULATED DATA'; color: #b00020; font: bold 10pt sans-serif; } }";
+/// On paper, simulated data say so across every page: what is fixed is printed on each.
+inline constexpr const char* simulated_page_style = R"css(
+@media print {
+  .watermark { display: block; position: fixed; top: 45%; left: 0; right: 0; text-align: center; z-index: 1;
+               transform: rotate(-30deg); font: bold 52pt sans-serif; color: #b00020; opacity: .13; } }
+)css";
 
 } // namespace stats

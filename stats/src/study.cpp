@@ -5,65 +5,22 @@
 
 #include <algorithm>
 #include <charconv>
+#include <map>
 #include <span>
 #include <tuple>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <support/error.h>
-#include <support/file.h>
+
+#include "sidecar.h"
 
 namespace stats {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 
 constexpr std::string_view task = "_task-skin2afc", run_entity = "_run-", log_suffix = "_beh.tsv";
-constexpr std::uintmax_t largest_json = std::uintmax_t{16} << 20;
-
-/// A JSON file's object; an empty one where there is no file.
-json read_object(const fs::path& file) {
-    std::error_code ignored;
-    if (!fs::exists(fs::symlink_status(file, ignored))) {
-        return json::object();
-    }
-    json object;
-    try {
-        object = json::parse(support::read_text(file, largest_json));
-    } catch (const json::exception& error) {
-        // Leave out the library's "[json.exception...] " in front of the message.
-        const std::string_view message = error.what();
-        throw support::input_error("{}: expected JSON, found: {}", file.string(),
-                                   message.substr(message.find("] ") + 2));
-    }
-    if (!object.is_object()) {
-        throw support::input_error("{}: expected a JSON object, found {}", file.string(), object.type_name());
-    }
-    return object;
-}
-
-/// A field's value where the object has it; throws InputError when it is of another type.
-template <typename T>
-std::optional<T> field(const json& object, const fs::path& file, const char* key, std::string_view expected,
-                       bool (json::*is_expected)() const noexcept) {
-    const auto found = object.find(key);
-    if (found == object.end()) {
-        return std::nullopt;
-    }
-    if (!((*found).*is_expected)()) {
-        // An array or object may be too deep to be shown.
-        throw support::input_error("{}: {}: expected {}, found {}", file.string(), key, expected,
-                                   found->is_structured() ? std::string(found->type_name())
-                                                          : found->dump().substr(0, 60));
-    }
-    return found->get<T>();
-}
-
-bool simulated_in(const json& object, const fs::path& file) {
-    return field<bool>(object, file, "Simulated", "true or false", &json::is_boolean).value_or(false);
-}
 
 /// The entries of a folder, by name; hidden ones are left out.
 std::vector<fs::path> entries(const fs::path& folder) {
@@ -128,16 +85,75 @@ Run read_run(const fs::path& study, const fs::path& file, std::string participan
     run.number = number;
     run.file = file.lexically_relative(study).string();
     run.log = read_log(file);
-    const fs::path sidecar = fs::path(file).replace_extension(".json");
-    const json object = read_object(sidecar);
-    run.simulated = simulated_in(object, sidecar);
-    run.trials_planned = field<std::int64_t>(object, sidecar, "TrialsPlanned", "a whole number from 1 on",
-                                             &json::is_number_unsigned);
-    if (run.trials_planned && *run.trials_planned < 1) {
-        throw support::input_error("{}: TrialsPlanned: expected a whole number from 1 on, found {}",
-                                   sidecar.string(), *run.trials_planned);
-    }
+    run.sidecar = read_sidecar(fs::path(file).replace_extension(".json"));
     return run;
+}
+
+/// A bad file, or with what it was called to be read; the study goes on without it.
+template <typename Read>
+void try_to(Study& study, const fs::path& folder, const fs::path& file, Read read) {
+    try {
+        read();
+    } catch (const support::InputError& error) {
+        study.bad_files.push_back({file.lexically_relative(folder).string(), error.what()});
+    }
+}
+
+/// Read the runs of one participant's folder.
+void read_participant(Study& study, const fs::path& folder, const fs::path& subject) {
+    const std::string participant = participant_label(subject);
+    bool any = false;
+    if (is_folder(subject / "beh")) {
+        for (const fs::path& file : entries(subject / "beh")) {
+            try_to(study, folder, file, [&] {
+                if (const auto number = run_number(file, participant)) {
+                    any = true;
+                    study.runs.push_back(read_run(folder, file, participant, *number));
+                }
+            });
+        }
+    }
+    if (!any) {
+        study.participants_without_log.push_back(participant);
+    }
+}
+
+/// Set the runs aside whose protocol is not that of most runs.
+void check_protocols(Study& study, const fs::path& folder, bool mixed_allowed) {
+    const auto key = [](const Run& run) {
+        return std::pair(run.sidecar.protocol, run.sidecar.protocol_digest);
+    };
+    std::map<std::pair<std::string, std::string>, std::size_t> counts;
+    for (const Run& run : study.runs) {
+        if (!run.sidecar.protocol.empty() || !run.sidecar.protocol_digest.empty()) {
+            ++counts[key(run)];
+        }
+    }
+    study.protocols = counts.size();
+    if (mixed_allowed || counts.size() < 2) {
+        return;
+    }
+    const auto most = std::max_element(counts.begin(), counts.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    const auto other = [&](const Run& run) {
+        const auto found = counts.find(key(run));
+        return found != counts.end() && found != most;
+    };
+    for (const Run& run : study.runs) {
+        if (other(run)) {
+            const auto sidecar = fs::path(run.file).replace_extension(".json");
+            const auto& [name, digest] = most->first;
+            const bool names = run.sidecar.protocol != name;
+            study.bad_files.push_back(
+                {run.file,
+                 fmt::format("{}: {}: expected \"{}\" as in {} runs, found \"{}\" "
+                             "(--mixed-protocols takes them together)",
+                             (folder / sidecar).string(), names ? "Protocol" : "ProtocolDigest",
+                             (names ? name : digest).substr(0, 64), most->second,
+                             (names ? run.sidecar.protocol : run.sidecar.protocol_digest).substr(0, 64))});
+        }
+    }
+    std::erase_if(study.runs, other);
 }
 
 /// Choose among one participant's runs.
@@ -170,7 +186,8 @@ void choose_runs(std::vector<Run>& runs) {
         longest = std::max(longest, run.log.trials.size());
     }
     for (Run& run : runs) {
-        run.trials_expected = run.trials_planned ? static_cast<std::size_t>(*run.trials_planned) : longest;
+        run.trials_expected =
+            run.sidecar.trials_planned ? static_cast<std::size_t>(*run.sidecar.trials_planned) : longest;
         run.complete = run.log.trials.size() >= run.trials_expected;
     }
     for (auto start = runs.begin(); start != runs.end();) {
@@ -181,45 +198,37 @@ void choose_runs(std::vector<Run>& runs) {
     }
 }
 
-Study read_study(const fs::path& folder) {
+Study read_study(const fs::path& folder, const Leniency& leniency) {
     if (std::error_code ignored; !is_folder(folder)) {
         throw support::input_error("{}: expected a study's folder, found {}", folder.string(),
                                    fs::exists(folder, ignored) ? "a file" : "nothing");
     }
     Study study;
-    const fs::path description = folder / "dataset_description.json";
-    const json object = read_object(description);
-    study.simulated = simulated_in(object, description);
-    const auto folder_name =
-        (fs::absolute(folder).lexically_normal() / ".").parent_path().filename().string();
-    study.name =
-        field<std::string>(object, description, "Name", "a text", &json::is_string).value_or(folder_name);
+    const Description description = read_description(folder / "dataset_description.json");
+    study.simulated = description.simulated;
+    study.name = description.name.value_or(
+        (fs::absolute(folder).lexically_normal() / ".").parent_path().filename().string());
 
     for (const fs::path& subject : entries(folder)) {
-        if (!subject.filename().string().starts_with("sub-") || !is_folder(subject)) {
-            continue;
-        }
-        const std::string participant = participant_label(subject);
-        const std::size_t before = study.runs.size();
-        if (is_folder(subject / "beh")) {
-            for (const fs::path& file : entries(subject / "beh")) {
-                if (const auto number = run_number(file, participant)) {
-                    study.runs.push_back(read_run(folder, file, participant, *number));
-                }
-            }
-        }
-        if (study.runs.size() == before) {
-            study.participants_without_log.push_back(participant);
+        if (subject.filename().string().starts_with("sub-") && is_folder(subject)) {
+            try_to(study, folder, subject, [&] { read_participant(study, folder, subject); });
         }
     }
     std::stable_sort(study.runs.begin(), study.runs.end(), [](const Run& a, const Run& b) {
         return std::tie(a.participant, a.number) < std::tie(b.participant, b.number);
     });
+    check_protocols(study, folder, leniency.mixed_protocols);
+    if (!leniency.skip_bad && !study.bad_files.empty()) {
+        const std::size_t others = study.bad_files.size() - 1;
+        throw support::input_error(
+            "{}{}", study.bad_files.front().why,
+            others == 0 ? "" : fmt::format(" ({} more bad files; --skip-bad leaves them out)", others));
+    }
 
     if (study.runs.empty()) {
         throw support::input_error(
-            "{}: expected logs sub-<label>/beh/sub-<label>{}[_run-<number>]{}, found none", folder.string(),
-            task, log_suffix);
+            "{}: expected logs sub-<label>/beh/sub-<label>{}[_run-<number>]{}, found none{}", folder.string(),
+            task, log_suffix, study.bad_files.empty() ? "" : " that can be read");
     }
     choose_runs(study.runs);
     const Contents found = contents(study);
@@ -238,7 +247,7 @@ Contents contents(const Study& study) {
         }
         ++result.participants;
         ++result.runs;
-        result.simulated_runs += run.simulated || study.simulated ? 1 : 0;
+        result.simulated_runs += run.sidecar.simulated || study.simulated ? 1 : 0;
         result.trials += run.log.trials.size();
         result.unanswered +=
             static_cast<std::size_t>(std::count_if(run.log.trials.begin(), run.log.trials.end(),

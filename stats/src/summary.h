@@ -3,16 +3,13 @@
 
 #pragma once
 
-#include <span>
 #include <string>
 
-#include <stats/study.h>
-#include <stats/table.h>
+#include <stats/analysis.h>
 
 namespace stats {
 
-/// The analysis as JSON: what was used, what was left out and why, each row's figures, how many are
-/// significant.
-std::string summary_json(const Study& study, std::span<const Row> rows);
+/// The analysis as JSON: what was used, what was left out and why, every figure of every table.
+std::string summary_json(const Analysis& analysis);
 
 } // namespace stats

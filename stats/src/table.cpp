@@ -5,14 +5,12 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <set>
 #include <tuple>
 
 #include <fmt/format.h>
 
-#include <stats/multiplicity.h>
-
+#include "answers.h"
 #include "labels.h"
 
 namespace stats {
@@ -77,80 +75,33 @@ std::vector<double> azimuths_of(std::span<const Row> rows) {
     return values_of(rows, &Condition::azimuth_deg, std::less<double>());
 }
 
-std::vector<std::optional<Figures>> figures_of(std::span<const Tally> tallies) {
-    std::vector<std::optional<Figures>> result(tallies.size());
-    std::vector<double> p_values;
-    for (std::size_t i = 0; i < tallies.size(); ++i) {
-        const auto [n, k] = tallies[i];
-        if (n == 0) {
-            continue;
-        }
-        Figures figures;
-        figures.proportion = static_cast<double>(k) / static_cast<double>(n);
-        figures.chi_square = chi_square_equal(std::array{k, n - k});
-        figures.p_exact = binomial_two_sided_p(k, n);
-        figures.ci = wilson_interval(k, n);
-        p_values.push_back(figures.chi_square.p);
-        result[i] = figures;
-    }
-
-    // Correct over the family: every condition of the table that was tested.
-    const auto p_holm = holm(p_values), q_bh = benjamini_hochberg(p_values);
-    std::size_t tested = 0;
-    for (auto& figures : result) {
-        if (figures) {
-            figures->p_holm = p_holm[tested];
-            figures->q_bh = q_bh[tested];
-            ++tested;
-        }
-    }
-    return result;
-}
-
-std::vector<Row> make_table(const Study& study) {
-    // Count the answers of the runs that count, condition by condition.
-    std::map<Condition, Tally, PaperOrder> counted;
+std::vector<Row> make_table(const Study& study, const Settings& settings) {
+    // Put together the answers of the runs that count, condition by condition.
+    AnswersByKey<Condition, PaperOrder> counted;
     for (const Run& run : study.runs) {
-        if (!run.used) {
-            continue;
-        }
-        for (const Trial& trial : run.log.trials) {
-            Tally& tally = counted[trial.condition];
-            tally.n += trial.reference_chosen ? 1 : 0;
-            tally.reference_chosen += trial.reference_chosen.value_or(false) ? 1 : 0;
+        if (run.used) {
+            for (const Trial& trial : run.log.trials) {
+                counted.add(trial.condition, run, trial);
+            }
         }
     }
-
-    std::vector<Tally> tallies;
-    for (const auto& [condition, tally] : counted) {
-        tallies.push_back(tally);
-    }
-    const auto figures = figures_of(tallies);
+    const auto conditions = counted.keys();
+    const auto answers = counted.answers();
+    const auto figures = figures_of(answers, settings);
     std::vector<Row> rows;
-    for (const auto& [condition, tally] : counted) {
-        rows.push_back({condition, tally, figures[rows.size()]});
+    for (std::size_t i = 0; i < conditions.size(); ++i) {
+        rows.push_back({conditions[i], answers[i].tally, figures[i]});
     }
     return rows;
 }
 
 std::string to_tsv(std::span<const Row> rows, bool simulated) {
     std::string text =
-        "reference\ttest\tdistance\tazimuth_deg\tn\treference_chosen\tproportion\tchi_square\tdf\t"
-        "p_chi_square\tp_exact\tp_holm\tq_bh\tci_low\tci_high\tsimulated\n";
+        "reference\ttest\tdistance\tazimuth_deg" + first_columns() + "\tsimulated" + further_columns() + "\n";
     for (const auto& [condition, tally, figures] : rows) {
-        text += fmt::format("{}\t{}\t{}\t{}\t{}\t{}", condition.reference, condition.test, condition.distance,
-                            exact(condition.azimuth_deg), tally.n, tally.reference_chosen);
-        if (figures) {
-            const auto& f = *figures;
-            text += fmt::format("\t{}\t{}\t{}", exact(f.proportion), exact(f.chi_square.statistic),
-                                f.chi_square.df);
-            for (const double value : {f.chi_square.p, f.p_exact, f.p_holm, f.q_bh, f.ci.low, f.ci.high}) {
-                text += "\t" + exact(value);
-            }
-        } else {
-            text += "\tn/a\tn/a\t1\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a";
-        }
-        text += simulated ? "\ttrue\n" : "\tfalse\n";
+        text += fmt::format("{}\t{}\t{}\t{}{}\t{}{}\n", condition.reference, condition.test,
+                            condition.distance, exact(condition.azimuth_deg), first_fields(tally, figures),
+                            simulated, further_fields(figures));
     }
     return text;
 }

@@ -94,7 +94,9 @@ refuses 'participants.tsv:1: expected "participant_id"' session small.toml --sti
     --participant 01 --simulate null
 
 # Analysis: no study, an empty one, no place for the result.
+refuses "STUDY is required" analyse --out analysis
 refuses "no/study" analyse no/study --out analysis
+refuses "not in range" analyse --power --proportion 2
 mkdir empty
 refuses "empty" analyse empty --out analysis
 "$skin2afc" session small.toml --stimuli set --study study --participant 01 --simulate null >/dev/null 2>&1 ||

@@ -3,6 +3,7 @@
 
 #include <stats/command.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include <CLI/CLI.hpp>
@@ -12,18 +13,20 @@
 #include <support/error.h>
 
 #include "figure8.h"
+#include "forest.h"
 #include "study_folder.h"
 
 namespace {
 
-/// What "skin2afc analyse STUDY --out DIR" prints.
-std::string analyse(const fs::path& study, const fs::path& out) {
+/// What "skin2afc analyse ARGUMENTS" prints.
+std::string analyse(std::vector<std::string> arguments) {
     CLI::App app("test");
     stats::add_command(app);
     testing::internal::CaptureStdout();
     try {
-        std::vector<std::string> reversed{out.string(), "--out", study.string(), "analyse"};
-        app.parse(reversed);
+        arguments.insert(arguments.begin(), "analyse");
+        std::reverse(arguments.begin(), arguments.end()); // as CLI11 takes them
+        app.parse(arguments);
     } catch (...) {
         testing::internal::GetCapturedStdout();
         throw;
@@ -31,18 +34,22 @@ std::string analyse(const fs::path& study, const fs::path& out) {
     return testing::internal::GetCapturedStdout();
 }
 
+std::string analyse(const fs::path& study, const fs::path& out) {
+    return analyse({study.string(), "--out", out.string()});
+}
+
 std::size_t files_in(const fs::path& folder) {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
 }
 
-TEST(AnalyseTest, writesItsFourFilesAndNothingElse) {
+TEST(AnalyseTest, writesItsFilesAndNothingElse) {
     const StudyFolder folder;
     folder.write_published_logs();
     const fs::path out = folder.path() / "a" / "b";
     const std::string text = analyse(folder.path(), out);
     EXPECT_NE(text.find("TS - Zoom - 110\u00b0"), std::string::npos);
     EXPECT_EQ(text.find("SIMULATED"), std::string::npos);
-    EXPECT_EQ(files_in(out), 4u);
+    EXPECT_EQ(files_in(out), 10u);
     EXPECT_NE(read_file(out / "report.html").find("</html>"), std::string::npos);
 
     const auto summary = nlohmann::json::parse(read_file(out / "summary.json"));
@@ -75,7 +82,7 @@ TEST(AnalyseTest, simulatedDataSaySoInEveryOutput) {
     EXPECT_TRUE(analyse(folder.path(), out).starts_with("SIMULATED DATA"));
     EXPECT_NE(read_file(out / "figure8.svg").find("SIMULATED DATA"), std::string::npos);
     EXPECT_NE(read_file(out / "report.html").find("class=\"banner\""), std::string::npos);
-    EXPECT_NE(read_file(out / "table2.tsv").find("\ttrue\n"), std::string::npos);
+    EXPECT_NE(read_file(out / "table2.tsv").find("\ttrue\t"), std::string::npos);
     EXPECT_EQ(nlohmann::json::parse(read_file(out / "summary.json"))["simulated"], true);
 }
 
@@ -125,6 +132,78 @@ TEST(AnalyseTest, figureShowsEveryShaderAndPlace) {
         }
         EXPECT_GE(count, 8u) << marker;
     }
+}
+
+TEST(AnalyseTest, forestsShowEveryRow) {
+    const StudyFolder folder;
+    folder.write_published_logs();
+    const auto analysis = stats::analyse_study(folder.path());
+    const std::string shaders = forest_of_shaders(analysis, "SIMULATED DATA"),
+                      conditions = forest_of_conditions(analysis, "");
+    EXPECT_NE(shaders.find("SIMULATED DATA"), std::string::npos);
+    for (const std::string& svg : {shaders, conditions}) {
+        // 8 groups or 12 conditions of each of three shaders, each with its marker.
+        for (const char* part : {"No SSS against TS", "SS Jittered against TS", "SS Full against TS",
+                                 "'#gpPt4' transform", "'#gpPt6' transform", "'#gpPt8' transform"}) {
+            EXPECT_NE(svg.find(part), std::string::npos) << part;
+        }
+    }
+    EXPECT_NE(conditions.find("Zoom - 150\u00b0"), std::string::npos);
+}
+
+TEST(AnalyseTest, badFilesAreLeftOutOnRequestAndListed) {
+    const StudyFolder folder;
+    folder.write_log("01", log_text("rt"));
+    folder.write_log("02", "trial,reference\n");
+    const fs::path out = folder.path() / "out";
+    EXPECT_THROW(analyse(folder.path(), out), support::InputError);
+    EXPECT_FALSE(fs::exists(out));
+    const std::string text = analyse({folder.path().string(), "--out", out.string(), "--skip-bad"});
+    EXPECT_NE(text.find("bad files 1"), std::string::npos) << text;
+    const auto summary = nlohmann::json::parse(read_file(out / "summary.json"));
+    EXPECT_EQ(summary["bad_files"][0]["file"], "sub-02/beh/sub-02_task-skin2afc_beh.tsv");
+}
+
+TEST(AnalyseTest, boundsAreTheUsers) {
+    const StudyFolder folder;
+    folder.write_log("01", log_text("rtrtrt"));
+    const fs::path out = folder.path() / "out";
+    analyse({folder.path().string(), "--out", out.string(), "--bounds", "0.2,0.9"});
+    const auto summary = nlohmann::json::parse(read_file(out / "summary.json"));
+    EXPECT_EQ(summary["settings"]["equivalence_high"], 0.9);
+    EXPECT_EQ(summary["shaders"][0]["p_equivalence"], stats::equivalence_p(3, 6, {0.2, 0.9}));
+    EXPECT_NE(read_file(out / "report.html").find("bounds of 0.2 and 0.9"), std::string::npos);
+    EXPECT_THROW(analyse({folder.path().string(), "--out", out.string(), "--bounds", "0.6,0.4"}),
+                 support::InputError);
+    EXPECT_THROW(analyse({folder.path().string(), "--out", out.string(), "--bounds", "0,1"}),
+                 CLI::ValidationError);
+}
+
+TEST(AnalyseTest, powerNeedsNoLogs) {
+    const StudyFolder folder;
+    const fs::path out = folder.path() / "out";
+    const std::string text =
+        analyse({"--power", "--studies", "100", "--spread", "0.5", "--out", out.string()});
+    EXPECT_NE(text.find("Exact, for independent answers"), std::string::npos);
+    EXPECT_EQ(files_in(out), 2u);
+    EXPECT_TRUE(read_file(out / "power.tsv").starts_with("participants\ttrials\tproportion\tspread\tpower"));
+}
+
+TEST(AnalyseTest, studyAndOutAreRequiredOtherwise) {
+    EXPECT_THROW(analyse({"--out", "x"}), CLI::RequiredError);
+    EXPECT_THROW(analyse({"x"}), CLI::RequiredError);
+}
+
+TEST(AnalyseTest, oneAnswerIsEnough) {
+    const StudyFolder folder;
+    folder.write_log("01", log_text("r"));
+    const fs::path out = folder.path() / "out";
+    const std::string text = analyse(folder.path(), out);
+    EXPECT_NE(text.find("undecided"), std::string::npos);
+    const auto row = nlohmann::json::parse(read_file(out / "summary.json"))["shaders"][0];
+    EXPECT_EQ(row["p_sign_flip"], 1);
+    EXPECT_EQ(row["mixed_intercept"], nullptr);
+    EXPECT_EQ(row["d_prime"], "inf");
 }
 
 } // namespace

@@ -15,14 +15,14 @@ using stats::Row;
 
 /// Rows of one test shader at azimuths 0, 1, ...; counts of 32 that chose the reference.
 std::vector<Row> rows_of(const std::vector<std::int64_t>& counts) {
-    std::vector<stats::Tally> tallies;
+    std::vector<stats::Answers> answers;
     for (const auto count : counts) {
-        tallies.push_back({32, count});
+        answers.push_back({{32, count}, {}, {}, {}});
     }
-    const auto figures = stats::figures_of(tallies);
+    const auto figures = stats::figures_of(answers);
     std::vector<Row> rows;
     for (std::size_t i = 0; i < counts.size(); ++i) {
-        rows.push_back({{"ts", "ss_full", "far", static_cast<double>(i)}, tallies[i], figures[i]});
+        rows.push_back({{"ts", "ss_full", "far", static_cast<double>(i)}, answers[i].tally, figures[i]});
     }
     return rows;
 }
@@ -73,9 +73,9 @@ TEST(FindingsTest, simulatedNoticeCountsTheRuns) {
     study.runs.resize(3);
     study.runs[0].used = study.runs[1].used = true;
     EXPECT_EQ(stats::simulated_notice(study), "");
-    study.runs[2].simulated = true; // does not count
+    study.runs[2].sidecar.simulated = true; // does not count
     EXPECT_EQ(stats::simulated_notice(study), "");
-    study.runs[0].simulated = true;
+    study.runs[0].sidecar.simulated = true;
     EXPECT_EQ(stats::simulated_notice(study), "SIMULATED DATA: 1 of the 2 runs are simulated.");
     study.simulated = true;
     EXPECT_EQ(stats::simulated_notice(study), "SIMULATED DATA: no person gave these answers.");

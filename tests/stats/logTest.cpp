@@ -53,6 +53,20 @@ TEST(LogTest, countsTheReferenceWhereverItWasShown) {
     EXPECT_EQ(log.trials[1].reference_chosen, false);
 }
 
+TEST(LogTest, readsOrderAndTimes) {
+    const Log log = parse_log(log_header + "1\tts\tno_sss\tfar\t0\tno_sss\tts\t2\tts\t1.25\t3\t4\t6\n" +
+                                  log_line(2, 'r') + log_line(3, 't'),
+                              "x.tsv");
+    EXPECT_FALSE(log.trials[0].reference_first);
+    EXPECT_EQ(log.trials[0].first_chosen(), false);
+    EXPECT_EQ(log.trials[0].response_time_s, 1.25);
+    EXPECT_EQ(log.trials[0].onset_first_s, 3);
+    EXPECT_EQ(log.trials[0].onset_grey_s, 4);
+    EXPECT_EQ(log.trials[0].onset_second_s, 6);
+    EXPECT_EQ(log.trials[1].first_chosen(), true);
+    EXPECT_EQ(log.trials[2].first_chosen(), false);
+}
+
 TEST(LogTest, allowsFurtherColumnsAndMissingTimes) {
     std::string text = log_header + "1\tts\tno_sss\tfar\t0\tts\tno_sss\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\n";
     for (auto at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 3)) {
@@ -70,6 +84,9 @@ TEST(LogTest, everyBadFieldNamesFileLineAndColumn) {
     expect_error(spoilt("\tts\t", "\t\t"), "x.tsv:3: reference: ", "found \"\"");
     expect_error(spoilt("\tss_full\t", "\t<b>\t"), "x.tsv:3: test: ", "\"<b>\"");
     expect_error(spoilt("\tss_full\t", "\tts\t"), "x.tsv:3: test: ", "another shader than the reference");
+    expect_error(spoilt("\tss_full\t", "\tss_ful\t"), "x.tsv:3: test: ",
+                 "a shader (no_sss, ts, ss_jittered, ss_full, reference), found \"ss_ful\"");
+    expect_error(spoilt("\tts\t", "\twax\t"), "x.tsv:3: reference: ", "a shader");
     expect_error(spoilt("far", std::string(65, 'f')), "x.tsv:3: distance: ", "1 to 64 letters");
     expect_error(spoilt("\t60\t", "\tnan\t"), "x.tsv:3: azimuth_deg: ", "\"nan\"");
     expect_error(spoilt("\t60\t", "\t1e9\t"), "x.tsv:3: azimuth_deg: ", "from -360 to 360");
@@ -94,6 +111,9 @@ TEST(LogTest, badLinesNameFileAndLine) {
     expect_error(log_header + "\n" + log_line(1, 'r'), "x.tsv:2: ", "found 1");
     expect_error("\xef\xbb\xbf" + log_header, "x.tsv:1: ", "byte order mark");
     expect_error("trial,reference,test\n", "x.tsv:1: ", "found commas");
+    expect_error("trial;reference;test\n", "x.tsv:1: ", "found semicolons");
+    expect_error("\"trial\"\t\"reference\"\n", "x.tsv:1: ", "found quotes");
+    expect_error(spoilt("far", "\"far\""), "x.tsv:3: distance: ", "\"\"far\"\"");
     expect_error("trial\ttest\treference\n",
                  "x.tsv:1: ", "expected \"reference\" as column 2 of the header, found \"test\"");
     expect_error("trial\treference\n",

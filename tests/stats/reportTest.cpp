@@ -17,8 +17,9 @@ using namespace std::string_literals;
 const std::string smallest_png_end = "\0\0\0\0IEND\xae\x42\x60\x82"s;
 
 std::string report_of(const StudyFolder& folder, const std::optional<std::string>& picture = {}) {
-    const auto study = stats::read_study(folder.path());
-    return stats::report_html(study, make_table(study), "<?xml?><svg>figure</svg>", picture);
+    const auto analysis = stats::analyse_study(folder.path());
+    const std::string svg = "<?xml?><svg>figure</svg>";
+    return report_html(analysis, {svg, svg, svg, {analysis.rows.size(), std::nullopt}, picture});
 }
 
 int count_of(const std::string& part, const std::string& text) {
@@ -116,6 +117,71 @@ TEST(ReportTest, onlyWholePngsAreShown) {
             message_of<support::InputError>([&] { stats::read_png(file); }).find("expected a whole PNG"),
             std::string::npos);
     }
+}
+
+TEST(ReportTest, disagreementsStandAtTheTop) {
+    const StudyFolder folder;
+    int participant = 0;
+    for (const std::size_t k : {17u, 4u, 15u, 6u, 18u, 9u, 16u, 5u, 14u, 12u}) {
+        folder.write_log(fmt::format("{:02}", ++participant),
+                         log_text(std::string(k, 'r') + std::string(18 - k, 't')));
+    }
+    const std::string html = report_of(folder);
+    const auto warning = html.find("<ul class=\"warning\">");
+    ASSERT_NE(warning, std::string::npos);
+    EXPECT_LT(warning, html.find("<ul class=\"answer\">"));
+    EXPECT_LT(html.find("disagree on SS Full"), html.find("<h2>"));
+}
+
+TEST(ReportTest, hasEverySectionAndNamesEveryTest) {
+    const StudyFolder folder;
+    folder.write_published_logs();
+    const std::string html = report_of(folder);
+    std::size_t last = 0;
+    for (const char* heading : {"Table II", "Figure 8", "Shaders", "Stimuli", "Every condition", "Order",
+                                "Expertise", "Response times", "Data quality", "Methods"}) {
+        const auto at = html.find("<h2>"s + heading);
+        ASSERT_NE(at, std::string::npos) << heading;
+        EXPECT_GT(at, last);
+        last = at;
+    }
+    const std::string methods = html.substr(last);
+    for (const char* part : {"chi-square",    "exact two-sided binomial",
+                             "Wilson",        "Clopper",
+                             "Cohen",         "Holm",
+                             "Benjamini",     "sign-flip",
+                             "t-test",        "mixed model",
+                             "101 points",    "observed information",
+                             "equal mixture", "two one-sided",
+                             "0.35 and 0.65", "Beta(1, 1)",
+                             "rank-sum",      "Welch",
+                             "skin2afc 0.",   "Boost.Math 1."}) {
+        EXPECT_NE(methods.find(part), std::string::npos) << part;
+    }
+}
+
+TEST(ReportTest, inlineFiguresHaveIdsOfTheirOwn) {
+    const StudyFolder folder;
+    folder.write_log("01", log_text("rt"));
+    const auto analysis = stats::analyse_study(folder.path());
+    const std::string svg =
+        "<svg><g id=\"gnuplot_plot_1\"/><circle id='gpPt1'/><use xlink:href='#gpPt1'/></svg>";
+    const std::string html = report_html(analysis, {svg, svg, svg, {std::nullopt}, std::nullopt});
+    EXPECT_EQ(count_of("id=\"agnuplot_plot_1\"", html), 1);
+    EXPECT_EQ(count_of("id='bgpPt1'", html), 1);
+    EXPECT_EQ(count_of("'#cgpPt1'", html), 1);
+    EXPECT_EQ(count_of("\"gnuplot_plot_1\"", html), 0);
+}
+
+TEST(ReportTest, badFilesAreListed) {
+    const StudyFolder folder;
+    folder.write_log("01", log_text("rt"));
+    folder.write_log("02", "");
+    const auto analysis = stats::analyse_study(folder.path(), {}, {true, false});
+    const std::string svg = "<svg></svg>",
+                      html = report_html(analysis, {svg, svg, svg, {std::nullopt}, std::nullopt});
+    EXPECT_NE(html.find("sub-02/beh/sub-02_task-skin2afc_beh.tsv: bad file, left out on request: "),
+              std::string::npos);
 }
 
 } // namespace

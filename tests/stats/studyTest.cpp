@@ -158,6 +158,8 @@ TEST(StudyTest, badSidecarsNameFileAndField) {
         {R"({"TrialsPlanned": -3})", "found -3"},
         {R"({"TrialsPlanned": 18446744073709551615})", "TrialsPlanned"},
         {R"({"TrialsPlanned": [[2]]})", "found array"},
+        {R"({"DroppedFrames": -1})", "DroppedFrames: expected a whole number from 0 on, found -1"},
+        {R"({"ProtocolDigest": 7})", "ProtocolDigest: expected a text, found 7"},
         {R"({"Simulated": "no"})", "Simulated: expected true or false, found \"no\""},
     };
     for (const auto& [json, part] : cases) {
@@ -177,6 +179,54 @@ TEST(StudyTest, deepJsonIsRefusedWithoutHarm) {
     folder.write_sidecar("01", "{\"Simulated\": " + std::string(1'000'000, '[') +
                                    std::string(1'000'000, ']') + "}");
     expect_error(folder, "Simulated: expected true or false, found array");
+}
+
+TEST(StudyTest, badFilesRefuseTheStudyUnlessTheyAreLeftOut) {
+    const StudyFolder folder;
+    folder.write_log("01", log_text("rt"));
+    folder.write_log("02", "trial,reference,test\n");
+    folder.write_log("03", log_text("r") + "2\tts\n" + log_line(3, 'r'));
+    expect_error(
+        folder,
+        "sub-02_task-skin2afc_beh.tsv:1: expected columns separated by tabs, found commas (1 more bad "
+        "files; --skip-bad leaves them out)");
+    const Study study = read_study(folder.path(), {true, false});
+    EXPECT_EQ(used_runs(study), "01:1 ");
+    ASSERT_EQ(study.bad_files.size(), 2u);
+    EXPECT_EQ(study.bad_files[1].file, "sub-03/beh/sub-03_task-skin2afc_beh.tsv");
+    EXPECT_NE(study.bad_files[1].why.find("sub-03_task-skin2afc_beh.tsv:3: expected 13 fields"),
+              std::string::npos);
+}
+
+TEST(StudyTest, aGoodRunCountsBesideABadOne) {
+    const StudyFolder folder;
+    folder.write_log("01", log_text("rt"));
+    folder.write_log("01", log_text("rt"), "_run-02");
+    folder.write_sidecar("01", "[]", "_run-02");
+    EXPECT_EQ(used_runs(read_study(folder.path(), {true, false})), "01:1 ");
+    const StudyFolder only_bad;
+    only_bad.write_log("01", "");
+    EXPECT_NE(message_of<support::InputError>([&] {
+                  read_study(only_bad.path(), {true, false});
+              }).find("found none that can be read"),
+              std::string::npos);
+}
+
+TEST(StudyTest, runsOfAnotherProtocolAreNotMixedIn) {
+    const StudyFolder folder;
+    for (const auto& [label, digest] : {std::pair("01", "aa"), {"02", "bb"}, {"03", "aa"}}) {
+        folder.write_log(label, log_text("rt"));
+        folder.write_sidecar(label, fmt::format(R"({{"Protocol": "p", "ProtocolDigest": "{}"}})", digest));
+    }
+    folder.write_log("04", log_text("rt")); // says nothing of its protocol
+    expect_error(folder,
+                 "sub-02_task-skin2afc_beh.json: ProtocolDigest: expected \"aa\" as in 2 runs, found \"bb\"");
+    EXPECT_EQ(used_runs(read_study(folder.path(), {true, false})), "01:1 03:1 04:1 ");
+    const Study mixed = read_study(folder.path(), {false, true});
+    EXPECT_EQ(used_runs(mixed), "01:1 02:1 03:1 04:1 ");
+    EXPECT_EQ(mixed.protocols, 2u);
+    folder.write_sidecar("02", R"({"Protocol": "q", "ProtocolDigest": "aa"})");
+    expect_error(folder, "Protocol: expected \"p\" as in 2 runs, found \"q\"");
 }
 
 } // namespace

@@ -19,7 +19,9 @@ namespace {
 using stats::Row;
 
 stats::Row row(const std::string& test, const std::string& distance, double azimuth_deg, stats::Tally tally) {
-    return {{"ts", test, distance, azimuth_deg}, tally, stats::figures_of(std::array{tally}).front()};
+    return {{"ts", test, distance, azimuth_deg},
+            tally,
+            stats::figures_of(std::array{stats::Answers{tally, {}, {}, {}}}).front()};
 }
 
 std::vector<std::string> split(const std::string& text, char separator) {
@@ -93,7 +95,7 @@ TEST(TableTest, unansweredTrialsAreLeftOut) {
     EXPECT_EQ(rows[1].tally.n, 3);
     EXPECT_EQ(rows[1].tally.reference_chosen, 2);
     EXPECT_DOUBLE_EQ(rows[1].figures->p_holm, rows[1].figures->chi_square.p); // a family of one
-    EXPECT_NE(to_tsv(rows, false).find("\t0\t0\tn/a\tn/a\t1\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\tfalse\n"),
+    EXPECT_NE(to_tsv(rows, false).find("\t0\t0\tn/a\tn/a\t1\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\tfalse\tn/a\t"),
               std::string::npos);
 }
 
@@ -115,7 +117,7 @@ TEST(TableTest, tsvHasItsColumnsAndReadsBackExactly) {
                                      "p_exact\tp_holm\tq_bh\tci_low\tci_high"));
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const auto fields = split(lines[i + 1], '\t');
-        ASSERT_EQ(fields.size(), 16u);
+        ASSERT_EQ(fields.size(), 41u);
         const auto value = [&](std::size_t column) {
             double number = 0;
             std::from_chars(fields[column].data(), fields[column].data() + fields[column].size(), number);
@@ -133,6 +135,46 @@ TEST(TableTest, tsvHasItsColumnsAndReadsBackExactly) {
         EXPECT_EQ(value(13), f.ci.low);
         EXPECT_EQ(value(14), f.ci.high);
         EXPECT_EQ(fields[15], "true");
+    }
+}
+
+TEST(TableTest, furtherColumnsHoldTheFiguresTheyName) {
+    // Each column beside the function whose figure it is; the counts of one published condition.
+    const auto rows = published_rows();
+    const Row& one = rows[32];
+    const auto lines = split(to_tsv(rows, false), '\n');
+    const auto names = split(lines[0], '\t'), fields = split(lines[33], '\t');
+    const auto value = [&](const std::string& name) {
+        const auto at = std::find(names.begin(), names.end(), name) - names.begin();
+        return fields.at(static_cast<std::size_t>(at));
+    };
+    const auto [n, k] = one.tally;
+    // Participants 0 to 10 chose the reference twice, the other five never.
+    std::vector<stats::Tally> participants(11, {2, 2});
+    participants.resize(16, {2, 0});
+    const std::pair<const char*, double> expected[] = {
+        {"ci_exact_low", stats::clopper_pearson_interval(k, n).low},
+        {"ci_exact_high", stats::clopper_pearson_interval(k, n).high},
+        {"cohens_g", stats::cohens_g(k, n)},
+        {"p_equivalence", stats::equivalence_p(k, n)},
+        {"bf01", std::exp(stats::log_bayes_factor_01(k, n))},
+        {"participants", 16},
+        {"p_sign_flip", stats::sign_flip(participants).p},
+        {"p_sign_flip_error", 0},
+        {"t", stats::t_test(participants)->t},
+        {"p_t", stats::t_test(participants)->p},
+        {"p_equivalence_t", stats::equivalence_t_test(participants).value()},
+        {"mixed_intercept", NAN}, // each participant is of one mind
+        {"first_chosen", 11 + 5},
+        {"p_first", 1},
+        {"d_prime", stats::sensitivity({{16, 11}, {16, 11}}).d_prime},
+        {"d_prime_order", stats::sensitivity({{16, 11}, {16, 11}}).d_prime_order},
+        {"order_bias", stats::sensitivity({{16, 11}, {16, 11}}).bias},
+        {"rt_q1", 1.5},
+        {"rt_median", 1.5},
+        {"rt_q3", 1.5}};
+    for (const auto& [name, number] : expected) {
+        EXPECT_EQ(value(name), stats::exact(number)) << name;
     }
 }
 

@@ -25,7 +25,15 @@ struct Condition {
 struct Trial {
     std::int64_t number = 0; ///< 1, 2, ... in the order shown
     Condition condition;
+    bool reference_first = true;          ///< the first interval showed the reference
     std::optional<bool> reference_chosen; ///< absent when there is no answer (n/a)
+    /// Seconds: from the onset of the second picture to the key; since the session's start.
+    std::optional<double> response_time_s, onset_first_s, onset_grey_s, onset_second_s;
+
+    /// Whether the answer was the first interval; absent without an answer.
+    std::optional<bool> first_chosen() const {
+        return reference_chosen ? std::optional(*reference_chosen == reference_first) : std::nullopt;
+    }
 };
 
 /// A line that is not counted.

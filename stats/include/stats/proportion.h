@@ -33,4 +33,11 @@ struct Interval {
 /// Needs 0 <= successes <= trials, trials > 0 and 0 < confidence < 1 (std::invalid_argument).
 Interval wilson_interval(std::int64_t successes, std::int64_t trials, double confidence = 0.95);
 
+/// Clopper and Pearson's exact interval [ClopperPearson1934]; needs as wilson_interval.
+Interval clopper_pearson_interval(std::int64_t successes, std::int64_t trials, double confidence = 0.95);
+
+/// Cohen's g, the proportion's distance from one half: .05 is small, .15 medium, .25 large [Cohen1988,
+/// section 5.2]. Needs 0 <= successes <= trials and trials > 0 (std::invalid_argument).
+double cohens_g(std::int64_t successes, std::int64_t trials);
+
 } // namespace stats

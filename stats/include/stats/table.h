@@ -9,29 +9,11 @@
 #include <string>
 #include <vector>
 
+#include <stats/figures.h>
 #include <stats/log.h>
-#include <stats/proportion.h>
 #include <stats/study.h>
 
 namespace stats {
-
-/// Level of significance: a condition differs when p <= alpha [Jimenez2009, Table II].
-inline constexpr double alpha = 0.05;
-
-/// Answers, and how many of them chose the reference.
-struct Tally {
-    std::int64_t n = 0, reference_chosen = 0;
-};
-
-/// The figures of a condition that has answers.
-struct Figures {
-    double proportion = 0; ///< of answers that chose the reference
-    ChiSquare chi_square;  ///< against half and half
-    double p_exact = 1;    ///< two-sided binomial
-    double p_holm = 1;     ///< chi-square's p, adjusted over the table's rows
-    double q_bh = 1;       ///< likewise, Benjamini and Hochberg
-    Interval ci;           ///< Wilson, 95 %
-};
 
 /// One condition of Table II.
 struct Row {
@@ -55,11 +37,8 @@ std::vector<std::string> references_of(std::span<const Row> rows);
 std::vector<std::string> distances_of(std::span<const Row> rows);
 std::vector<double> azimuths_of(std::span<const Row> rows);
 
-/// The figures of each tally; the corrections run over all that have answers.
-std::vector<std::optional<Figures>> figures_of(std::span<const Tally> tallies);
-
 /// Table II of the runs that count: one row a condition, in the paper's order.
-std::vector<Row> make_table(const Study& study);
+std::vector<Row> make_table(const Study& study, const Settings& settings = {});
 
 /// The table as tab-separated text; numbers read back exactly, missing ones are n/a.
 std::string to_tsv(std::span<const Row> rows, bool simulated);

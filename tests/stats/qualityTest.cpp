@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#include <stats/quality.h>
+
+#include <gtest/gtest.h>
+
+#include "study_folder.h"
+
+namespace {
+
+/// A log's line with another response time.
+std::string timed(int trial, char answer, const std::string& time) {
+    std::string line = log_line(trial, answer);
+    return line.replace(line.find("\t1.5\t"), 5, "\t" + time + "\t");
+}
+
+bool any(const std::vector<std::string>& notes, const std::string& part) {
+    return std::any_of(notes.begin(), notes.end(),
+                       [&](const std::string& note) { return note.find(part) != std::string::npos; });
+}
+
+TEST(QualityTest, countsWhatIsMissingFastAndWrong) {
+    const StudyFolder folder;
+    folder.write_log("01", log_header + timed(1, 'r', "0.299") + timed(2, 't', "0.3") + timed(3, 'n', "n/a") +
+                               timed(4, 't', "2"));
+    const auto study = stats::read_study(folder.path());
+    const auto found = participant_quality(study);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].trials, 4u);
+    EXPECT_EQ(found[0].missing, 1u);
+    EXPECT_EQ(found[0].fast, 1u);
+    EXPECT_EQ(found[0].errors, 2u);
+    EXPECT_EQ(found[0].median_response_time_s, 0.3);
+    const auto notes = quality_notes(study, found);
+    EXPECT_TRUE(any(notes, "Trials without an answer, left out: sub-01 (1 of 4)."));
+    EXPECT_TRUE(any(notes, "Answers within 300 ms of the second picture, kept: sub-01 (1 of 4)."));
+}
+
+TEST(QualityTest, namesWhoAlwaysChoosesTheSameInterval) {
+    // The reference stands first in all of these trials.
+    const StudyFolder folder;
+    folder.write_log("first", log_text("rrrrrrrrrrrr"));
+    folder.write_log("second", log_text("tttttttttttt"));
+    folder.write_log("few", log_text("rrr"));
+    folder.write_log("mixed", log_text("rtrtrtrtrtrt"));
+    folder.write_log("mostly", log_text("rrrrrrrrrrrrrrrrrrtr"));
+    const auto study = stats::read_study(folder.path());
+    const auto found = participant_quality(study);
+    ASSERT_EQ(found.size(), 5u); // few, first, mixed, mostly, second
+    EXPECT_FALSE(found[0].always_same_interval());
+    EXPECT_TRUE(found[1].always_same_interval());
+    EXPECT_FALSE(found[2].always_same_interval() || found[2].favours_interval());
+    EXPECT_TRUE(found[3].favours_interval());
+    EXPECT_TRUE(found[4].always_same_interval());
+    const auto notes = quality_notes(study, found);
+    EXPECT_TRUE(any(
+        notes, "Always chose the same interval, kept: sub-first (first in 12 of 12) and sub-second (first "
+               "in 0 of 12)."));
+    EXPECT_TRUE(any(notes, "Favour one interval (p < 0.001), kept: sub-mostly (first in 19 of 20)."));
+}
+
+TEST(QualityTest, addsUpDroppedFrames) {
+    const StudyFolder folder;
+    for (const auto& [label, frames] : {std::pair("01", "3"), {"02", "0"}, {"03", "\"n/a\""}, {"04", "4"}}) {
+        folder.write_log(label, log_text("rt"));
+        folder.write_sidecar(label, fmt::format(R"({{"DroppedFrames": {}}})", frames));
+    }
+    const auto study = stats::read_study(folder.path());
+    const auto found = participant_quality(study);
+    EXPECT_EQ(found[0].dropped_frames, 3);
+    EXPECT_FALSE(found[2].dropped_frames);
+    EXPECT_TRUE(any(quality_notes(study, found), "Dropped frames: 7 in 2 runs."));
+    const std::string text = to_tsv(found, false);
+    EXPECT_NE(text.find("\tn/a\tfalse\n"), std::string::npos);
+    EXPECT_NE(
+        text.find(
+            "sub-04\tsub-04/beh/sub-04_task-skin2afc_beh.tsv\ttrue\t2\t0\t0\t1\t1\t1\tn/a\t1.5\t4\tfalse"),
+        std::string::npos)
+        << text;
+}
+
+} // namespace
