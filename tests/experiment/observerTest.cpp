@@ -111,8 +111,9 @@ TEST(SimulatedStageTest, choosesTheReferenceAsOftenAsItsObserverDoes) {
     const double proportion = observer.reference_proportion("ss_full", "zoom", 110); // 22/32
     constexpr int trials = 4000;
     int chosen = 0;
-    experiment::SimulatedStage stage(observer, 7);
     for (int i = 0; i < trials; ++i) {
+        // A participant answers a pair alike each time, so each trial has one of its own.
+        experiment::SimulatedStage stage(observer, static_cast<std::uint64_t>(i));
         const bool reference_first = i % 2 == 0;
         stage.show(experiment::Stimulus{reference_first ? "ts" : "ss_full", "zoom", 110});
         stage.show(experiment::Grey{});

@@ -93,8 +93,10 @@ protected:
 
     void leave_instructions() const {
         ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
+        // The start page may not be there yet: only what it asks for ends it.
         while (!std::filesystem::exists(sidecar())) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            VirtualScreen::key("Return");
+            std::this_thread::sleep_for(std::chrono::milliseconds(100));
         }
         // The instructions come after the sidecar; their first key may come too early.
         std::this_thread::sleep_for(std::chrono::milliseconds(500));
