@@ -11,6 +11,8 @@
 #include <vector>
 
 #include <OpenImageIO/imageio.h>
+#include <X11/Xlib.h>
+#include <X11/Xutil.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/wait.h>
@@ -74,6 +76,30 @@ void xdotool(std::vector<std::string> words) {
     }
 }
 
+/// A connection to the server and the program's window there.
+struct Client {
+    Client() : display(::XOpenDisplay(nullptr)) {
+        ::Window root = 0;
+        ::Window parent = 0;
+        ::Window* children = nullptr;
+        unsigned count = 0;
+        ::XQueryTree(display, DefaultRootWindow(display), &root, &parent, &children, &count);
+        for (unsigned i = 0; i < count; ++i) {
+            char* name = nullptr;
+            if (::XFetchName(display, children[i], &name) != 0 && std::string(name) == "skin2afc") {
+                window = children[i];
+            }
+            ::XFree(name);
+        }
+        ::XFree(children);
+    }
+    ~Client() { ::XCloseDisplay(display); }
+    Client(const Client&) = delete;
+    Client& operator=(const Client&) = delete;
+    ::Display* display;
+    ::Window window = 0;
+};
+
 } // namespace
 
 VirtualScreen::VirtualScreen(const std::filesystem::path& folder, int width, int height)
@@ -127,6 +153,25 @@ void VirtualScreen::key_down(const std::string& name) { xdotool({"keydown", name
 void VirtualScreen::key_up(const std::string& name) { xdotool({"keyup", name}); }
 
 void VirtualScreen::act(const std::vector<std::string>& words) { xdotool(words); }
+
+void VirtualScreen::ask_to_close() {
+    const Client client;
+    XEvent event{};
+    event.xclient.type = ClientMessage;
+    event.xclient.window = client.window;
+    event.xclient.message_type = ::XInternAtom(client.display, "WM_PROTOCOLS", False);
+    event.xclient.format = 32;
+    event.xclient.data.l[0] = static_cast<long>(::XInternAtom(client.display, "WM_DELETE_WINDOW", False));
+    ::XSendEvent(client.display, client.window, False, NoEventMask, &event);
+    ::XSync(client.display, False);
+}
+
+void VirtualScreen::focus(bool window) {
+    const Client client;
+    ::XSetInputFocus(client.display, window ? client.window : DefaultRootWindow(client.display), RevertToNone,
+                     CurrentTime);
+    ::XSync(client.display, False);
+}
 
 void VirtualScreen::save(const std::filesystem::path& png) const {
     std::ifstream file(framebuffer_, std::ios::binary);

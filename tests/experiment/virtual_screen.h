@@ -36,6 +36,10 @@ public:
     static void key_up(const std::string& name);
     /// Anything else that xdotool does.
     static void act(const std::vector<std::string>& words);
+    /// Ask the program to close its window, as a window manager's cross does.
+    static void ask_to_close();
+    /// Take the keyboard from the program's window, or give it back.
+    static void focus(bool window);
 
 private:
     std::filesystem::path framebuffer_;
