@@ -12,9 +12,9 @@ namespace experiment {
 
 /// What came back.
 struct FormAnswer {
-    bool back = false;               ///< to the form before
-    std::vector<std::size_t> chosen; ///< places of choices, rising
-    std::string text;                ///< of a whole number or a text
+    bool back = false;                    ///< to the form before
+    std::vector<std::size_t> chosen = {}; ///< places of choices, rising
+    std::string text = {};                ///< of a whole number or a text
 };
 
 /// A page that asks for something; texts are UTF-8.

@@ -16,11 +16,11 @@ struct Question {
     std::string id;   ///< names the column of the answers
     std::string text; ///< UTF-8, as asked
     QuestionKind kind = QuestionKind::text;
-    int least = 0, most = 0;          ///< of a whole number
-    std::string units;                ///< of a whole number; may be empty
-    std::vector<std::string> choices; ///< as shown, at most most_choices
-    std::vector<std::string> values;  ///< as written to the answers, one a choice
-    bool optional = false;            ///< may be left without answer
+    int least = 0, most = 0;               ///< of a whole number
+    std::string units = {};                ///< of a whole number; may be empty
+    std::vector<std::string> choices = {}; ///< as shown, at most most_choices
+    std::vector<std::string> values = {};  ///< as written to the answers, one a choice
+    bool optional = false;                 ///< may be left without answer
 };
 
 constexpr std::size_t most_choices = 9; ///< each has a digit of its own
