@@ -1,79 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The skin2afc authors
 // SPDX-License-Identifier: MIT
 
-#include <algorithm>
-#include <chrono>
-#include <csignal>
-#include <cstdlib>
-#include <random>
-#include <set>
-
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/file.h>
 #include <sys/mount.h>
-#include <sys/wait.h>
 #include <unistd.h>
-
-#include <fcntl.h>
 
 #include <support/error.h>
 
-#include "fixture.h"
 #include "log/session_log.h"
+#include "resume_fixture.h"
 
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A study of twelve trials, run by the program itself.
-class ResumeTest : public testing::Test {
-protected:
-    ResumeTest() : protocol_(fixture::small_protocol(folder_.path(), "[0, 30, 60, 90, 120, 150]")) {
-        fixture::write_stimuli(folder_ / "stimuli", protocol_);
-    }
-
-    std::vector<std::string> arguments(const fs::path& study,
-                                       const std::vector<std::string>& more = {}) const {
-        std::vector<std::string> all{"session",       protocol_.file.string(),
-                                     "--stimuli",     (folder_ / "stimuli").string(),
-                                     "--study",       study.string(),
-                                     "--participant", "01",
-                                     "--simulate",    "null"};
-        all.insert(all.end(), more.begin(), more.end());
-        return all;
-    }
-    fixture::Outcome run(const std::vector<std::string>& more = {}) const {
-        return fixture::run_program(arguments(study(), more));
-    }
-    fs::path study() const { return folder_ / "study"; }
-    fs::path log(int run = 1) const { return fixture::log_path(study(), "01", run); }
-    fs::path sidecar() const { return log().replace_extension(".json"); }
-    nlohmann::json facts() const { return nlohmann::json::parse(fixture::read(sidecar())); }
-
-    /// Leave the study as a session does that is cut off after so many trials, with `torn` at the log's end.
-    void cut_off_after(std::size_t trials, const std::string& torn = "") const {
-        ASSERT_EQ(run().exit_code, 0);
-        const auto lines = fixture::lines_of(log());
-        std::string kept;
-        for (std::size_t i = 0; i <= trials; ++i) {
-            kept += lines[i] + "\n";
-        }
-        fixture::write(log(), kept + torn);
-    }
-
-    /// What a session decides and a participant answers; times differ between a session and its continuation.
-    static std::vector<std::vector<std::string>> answers(const fs::path& log) {
-        std::vector<std::vector<std::string>> rows;
-        for (const auto& row : fixture::read_log(log)) {
-            rows.push_back({row.at("trial"), row.at("first"), row.at("second"), row.at("azimuth_deg"),
-                            row.at("response"), row.at("response_time")});
-        }
-        return rows;
-    }
-
-    fixture::TemporaryFolder folder_;
-    study::Protocol protocol_;
-};
+using fixture::ResumeTest;
 
 TEST_F(ResumeTest, goesOnInTheSameLogAsIfNothingHadHappened) {
     ASSERT_EQ(run().exit_code, 0);
@@ -279,67 +221,6 @@ TEST_F(ResumeTest, saysThatTheDiskIsFullAndGoesOnWhenItIsNot) {
         EXPECT_EQ(run().exit_code, 0);
     }
     EXPECT_EQ(fixture::read_log(log()).size(), 12U);
-}
-
-/// How many sessions to kill: few by default, more by SKIN2AFC_KILLS.
-int kills() {
-    const char* count = std::getenv("SKIN2AFC_KILLS");
-    return count ? std::atoi(count) : 15;
-}
-
-TEST_F(ResumeTest, keepsEveryAnswerOnceHoweverOftenItIsKilled) {
-    fixture::write(protocol_.file,
-                   fixture::read(protocol_.file) +
-                       "practice = 2\n[session.texts]\nconsent = \"Will you?\"\n"
-                       "[[session.questions]]\nid = \"age\"\nkind = \"integer\"\ntext = \"Age?\"\n"
-                       "[[session.questions]]\nid = \"art\"\nkind = \"text\"\ntext = \"Art?\"\n");
-    const auto start = std::chrono::steady_clock::now();
-    ASSERT_EQ(fixture::run_program(arguments(folder_ / "undisturbed")).exit_code, 0);
-    const auto takes_us = static_cast<unsigned>(
-        std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() - start)
-            .count());
-    const auto expected = answers(fixture::log_path(folder_ / "undisturbed", "01"));
-    std::mt19937 random(7);
-    std::set<std::size_t> places;
-    int killed = 0;
-    int study_number = 0;
-    for (; killed < kills(); ++study_number) {
-        const fs::path study = folder_ / fmt::format("study{}", study_number);
-        const fs::path log = fixture::log_path(study, "01");
-        // Kill the session again and again until one reaches its end.
-        for (bool done = false; !done;) {
-            const pid_t program = fixture::start_program(arguments(study), folder_.path());
-            ::usleep(static_cast<useconds_t>(random() % takes_us));
-            ::kill(program, SIGKILL);
-            const bool survived = fixture::wait_for_program(program, folder_.path()).exit_code == 0;
-            killed += survived ? 0 : 1;
-            if (fs::exists(log)) {
-                const std::string text = fixture::read(log);
-                const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-                places.insert(lines - 1);
-                done = lines == expected.size() + 1;
-            }
-            ASSERT_TRUE(done || !survived);
-            if (killed >= kills() && !done) {
-                ASSERT_EQ(fixture::run_program(arguments(study)).exit_code, 0);
-                done = true;
-            }
-        }
-        ASSERT_EQ(answers(log), expected);
-        ASSERT_FALSE(fs::exists(fixture::log_path(study, "01", 2)));
-        // The questionnaire was answered once, and never again.
-        EXPECT_EQ(fixture::lines_of(study / "participants.tsv").size(), 2U);
-        EXPECT_EQ(fixture::lines_of(study / "phenotype/questionnaire.tsv").size(), 2U);
-        const auto analysed =
-            fixture::run_program({"analyse", study.string(), "--out",
-                                  (folder_ / fmt::format("analysis{}", study_number)).string()});
-        ASSERT_EQ(analysed.exit_code, 0) << analysed.err;
-    }
-    if (kills() >= 100) {
-        // The kills came at different places, or the test has shown nothing.
-        EXPECT_GT(places.size(), 6U);
-    }
-    fmt::print("{} kills in {} sessions, after {} numbers of answers\n", killed, study_number, places.size());
 }
 
 } // namespace
