@@ -3,6 +3,7 @@
 
 #include "virtual_screen.h"
 
+#include <algorithm>
 #include <array>
 #include <csignal>
 #include <cstdlib>
@@ -173,7 +174,7 @@ void VirtualScreen::focus(bool window) {
     ::XSync(client.display, False);
 }
 
-void VirtualScreen::save(const std::filesystem::path& png) const {
+bool VirtualScreen::save(const std::filesystem::path& png) const {
     std::ifstream file(framebuffer_, std::ios::binary);
     const Layout layout(file);
     std::vector<std::uint8_t> pixels;
@@ -191,6 +192,8 @@ void VirtualScreen::save(const std::filesystem::path& png) const {
     output->open(png.string(), OIIO::ImageSpec(width_, height_, 3, OIIO::TypeDesc::UINT8));
     output->write_image(OIIO::TypeDesc::UINT8, pixels.data());
     output->close();
+    return std::search_n(pixels.begin(), pixels.end(), static_cast<std::ptrdiff_t>(pixels.size()),
+                         pixels.front()) == pixels.end();
 }
 
 } // namespace fixture

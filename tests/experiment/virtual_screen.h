@@ -27,8 +27,8 @@ public:
     /// Wait until the pixel has that colour; whether it got it in 20 seconds.
     bool becomes(int x, int y, const std::array<std::uint8_t, 3>& rgb) const;
 
-    /// Keep the whole screen as a picture.
-    void save(const std::filesystem::path& png) const;
+    /// Keep the whole screen as a picture; whether it has more than one colour.
+    bool save(const std::filesystem::path& png) const;
 
     /// Press and release a key, by its X name: "space", "1", "KP_2".
     static void key(const std::string& name);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
@@ -125,8 +126,17 @@ FormAnswer FormView::show(const Form& form, bool asks_to_close) {
 
 /// Digits choose, Enter goes on, Page Up goes back.
 void FormView::take_keys(const Form& form, State& state) {
-    ImGui::GetIO().KeysDown[GLFW_KEY_ESCAPE] = false; // it would empty a text field
+    // ImGui sees a key only where it is down at a frame: keep a key that was tapped between two frames down
+    // for one.
+    bool* const keys_down = ImGui::GetIO().KeysDown;
+    for (const int key : std::exchange(tapped_, {})) {
+        keys_down[key] = glfwGetKey(window_.handle(), key) == GLFW_PRESS;
+    }
     for (const int key : window_.take_keys()) {
+        if (key >= 0 && key <= GLFW_KEY_LAST) {
+            keys_down[key] = true;
+            tapped_.push_back(key);
+        }
         const bool digit = key >= GLFW_KEY_1 && key <= GLFW_KEY_9;
         const bool keypad = key >= GLFW_KEY_KP_1 && key <= GLFW_KEY_KP_9;
         if ((digit || keypad) && !form.choices.empty()) {
@@ -139,6 +149,7 @@ void FormView::take_keys(const Form& form, State& state) {
             state.done = true;
         }
     }
+    keys_down[GLFW_KEY_ESCAPE] = false; // it would empty a text field
 }
 
 void FormView::draw(const Form& form, State& state) {

@@ -46,6 +46,7 @@ private:
     void render() const;
 
     Window& window_;
+    std::vector<int> tapped_; // since the last frame but one
     ImFont *large_ = nullptr, *small_ = nullptr;
     float width_ = 0, height_ = 0; // of the framebuffer, px
 };
