@@ -108,6 +108,13 @@ void Observer::read_file(const study::Protocol& protocol) {
         }
         rules_.push_back(std::move(rule));
     }
+    behaviour_.lapse_rate = root.number("lapse_rate", 0, 1, behaviour_.lapse_rate);
+    behaviour_.interval_bias = root.number("interval_bias", -100, 100, behaviour_.interval_bias);
+    behaviour_.spread = root.number("spread", 0, 100, behaviour_.spread);
+    support::TomlTable times = root.table("response_time");
+    behaviour_.median_s = times.number("median_s", 1e-3, 1e4, behaviour_.median_s);
+    behaviour_.log_sd = times.number("log_sd", 0, 5, behaviour_.log_sd);
+    behaviour_.median_log_spread = times.number("median_log_spread", 0, 5, behaviour_.median_log_spread);
     root.finish();
 }
 

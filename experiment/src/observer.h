@@ -11,6 +11,16 @@
 
 namespace experiment {
 
+/// How a simulated participant answers, beside what is preferred.
+struct Behaviour {
+    double lapse_rate = 0;    ///< share of answers that are tosses of a coin
+    double interval_bias = 0; ///< log-odds added to the first picture
+    double spread = 0;        ///< between participants: standard deviation of the reference's log-odds
+    // Response times of people are right-skewed: log-normal, with a median that suits looking at two faces.
+    double median_s = 2.5, log_sd = 0.4;
+    double median_log_spread = 0; ///< between participants: standard deviation of the median's logarithm
+};
+
 /// A simulated participant's preferences: how likely the reference is chosen under each condition.
 class Observer {
 public:
@@ -22,6 +32,7 @@ public:
     /// Probability that the reference is chosen over the test shader.
     double reference_proportion(const std::string& test, const std::string& distance, int azimuth_deg) const;
 
+    const Behaviour& behaviour() const { return behaviour_; }
     /// The description it was made from.
     const std::string& description() const { return description_; }
     /// The shader that the others are compared with.
@@ -39,6 +50,7 @@ private:
     std::optional<double> find(const std::string& test, const std::string& distance, int azimuth_deg) const;
 
     std::string description_, reference_;
+    Behaviour behaviour_;
     std::vector<Rule> rules_;
 };
 

@@ -3,7 +3,9 @@
 
 #pragma once
 
+#include <functional>
 #include <string>
+#include <vector>
 
 #include <study/protocol.h>
 
@@ -16,11 +18,34 @@ namespace experiment {
 /// A text of the protocol with {trial} and {trials} filled in.
 std::string fill_in(const std::string& text, std::size_t trial, std::size_t trials);
 
-/// Run the whole session on the stage: instructions; for each trial its number, the first picture, the grey,
-/// the second picture until 1 or 2 is pressed [Jimenez2009, Sec. 5.3]. An answer is on the disk before
-/// anything else is shown. Throws what stage and log throw.
-void run_trials(const study::SessionSettings& session, const Schedule& schedule, Stage& stage,
-                SessionLog& log);
+/// Something that happened in a session.
+struct Event {
+    double time_s = 0;     ///< since the session's start
+    std::size_t trial = 0; ///< that it happened in or before, from 1; 0 in the instructions and in practice
+    std::string what;
+};
+
+/// What a session measures of itself; seconds.
+struct Timing {
+    std::vector<double> grey_error_s; ///< of each trial: how much longer the grey was than asked for
+    std::vector<double> save_s;       ///< of each answer: from the key to the disk
+};
+
+/// What the trials are run with beside the stage.
+struct Setting {
+    const study::SessionSettings& session;
+    const Schedule& schedule;
+    Schedule practice = {};   ///< shown before, and not logged
+    double clock_start_s = 0; ///< since the session's start, when the stage takes over
+    std::function<void(const std::vector<Event>&)> note = {}; ///< called between trials, and in the end
+    Timing* timing = nullptr;                                 ///< where to add what is measured
+};
+
+/// Run the session on the stage from the first trial that the log has no answer to: instructions; practice;
+/// for each trial its number, the first picture, the grey, the second picture until 1 or 2 is pressed
+/// [Jimenez2009, Sec. 5.3]; breaks. An answer is on the disk before anything else is shown. A trial that was
+/// disturbed is shown again. Throws what stage and log throw.
+void run_trials(const Setting& setting, Stage& stage, SessionLog& log);
 
 /// The page after the last trial.
 void run_end_page(const study::SessionSettings& session, const Schedule& schedule, Stage& stage);

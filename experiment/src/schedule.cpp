@@ -3,6 +3,7 @@
 
 #include "schedule.h"
 
+#include <algorithm>
 #include <set>
 
 #include <support/error.h>
@@ -40,8 +41,67 @@ Schedule make_schedule(const study::Protocol& protocol, std::uint64_t seed) {
             }
         }
     }
-    generator.shuffle(schedule);
+    const auto repeats = [&] {
+        return std::adjacent_find(schedule.begin(), schedule.end(), [](const Trial& a, const Trial& b) {
+                   return a.same_condition(b);
+               }) != schedule.end();
+    };
+    if (!session.immediate_repeats && schedule.size() == 2 && schedule[0].same_condition(schedule[1])) {
+        throw support::input_error(
+            "{}: session.immediate_repeats: expected true where there is one condition "
+            "alone, found false",
+            protocol.file.string());
+    }
+    // Shuffles without repeats stay equally likely when the others are thrown away: one in e is without.
+    do {
+        generator.shuffle(schedule);
+    } while (!session.immediate_repeats && repeats());
     return schedule;
+}
+
+Schedule balanced(Schedule schedule, const std::vector<Schedule>& finished) {
+    const auto same_condition = [](const Trial& trial) {
+        return [&trial](const Trial& other) { return trial.same_condition(other); };
+    };
+    for (auto trial = schedule.begin(); trial != schedule.end(); ++trial) {
+        // Take each condition where it comes first.
+        if (std::find_if(schedule.begin(), trial, same_condition(*trial)) != trial) {
+            continue;
+        }
+        int reference_first = 0; // participants, less those who saw the test first
+        for (const Schedule& other : finished) {
+            const auto seen = std::find_if(other.begin(), other.end(), same_condition(*trial));
+            if (seen != other.end()) {
+                reference_first += seen->first == seen->reference ? 1 : -1;
+            }
+        }
+        const bool now = trial->first == trial->reference;
+        if ((reference_first > 0 && now) || (reference_first < 0 && !now)) {
+            // Exchange the orders of the condition's trials, wherever they stand.
+            for (auto other = trial; other != schedule.end(); ++other) {
+                if (other->same_condition(*trial)) {
+                    std::swap(other->first, other->second);
+                }
+            }
+        }
+    }
+    return schedule;
+}
+
+Schedule practice_trials(const Schedule& schedule, std::size_t count, std::uint64_t seed) {
+    support::Generator generator("practice", seed);
+    Schedule practice;
+    while (practice.size() < count) {
+        Schedule all = schedule;
+        generator.shuffle(all);
+        all.resize(std::min(all.size(), count - practice.size()));
+        practice.insert(practice.end(), all.begin(), all.end());
+    }
+    return practice;
+}
+
+std::string text_of(const Trial& trial) {
+    return fmt::format("{} {} {} {}", trial.first, trial.second, trial.distance, trial.azimuth_deg);
 }
 
 std::vector<Stimulus> stimuli_of(const Schedule& schedule) {

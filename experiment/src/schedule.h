@@ -29,6 +29,9 @@ struct Trial {
 
     Stimulus first_stimulus() const { return {first, distance, azimuth_deg}; }
     Stimulus second_stimulus() const { return {second, distance, azimuth_deg}; }
+    bool same_condition(const Trial& other) const {
+        return test == other.test && distance == other.distance && azimuth_deg == other.azimuth_deg;
+    }
     bool operator==(const Trial&) const = default;
 };
 
@@ -39,9 +42,21 @@ using Schedule = std::vector<Trial>;
 std::uint64_t default_seed(const study::Protocol& protocol, const std::string& label);
 
 /// Every test x distance x azimuth of the protocol, in both orders (or, where the protocol asks for one, in
-/// an order drawn by lot), shuffled. The same seed gives the same schedule on every machine. Throws
-/// support::InputError where the protocol compares nothing.
+/// an order drawn by lot), shuffled; where the protocol asks for it, again and again until no condition
+/// follows itself. The same seed gives the same schedule on every machine. Throws support::InputError where
+/// the protocol compares nothing, or has one condition alone that must not follow itself.
 Schedule make_schedule(const study::Protocol& protocol, std::uint64_t seed);
+
+/// The session's own schedule, with either order of a pair first as often as the other over a study: where
+/// more participants who have finished saw one order of a condition before the other, this one sees the other
+/// before. Where they saw both equally often, the schedule stays as it is.
+Schedule balanced(Schedule schedule, const std::vector<Schedule>& finished);
+
+/// `count` trials for practice, conditions and orders drawn by lot.
+Schedule practice_trials(const Schedule& schedule, std::size_t count, std::uint64_t seed);
+
+/// A trial in words, "FIRST SECOND DISTANCE AZIMUTH_DEG".
+std::string text_of(const Trial& trial);
 
 /// The pictures that a schedule shows, each once, sorted.
 std::vector<Stimulus> stimuli_of(const Schedule& schedule);

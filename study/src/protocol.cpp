@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <bit>
-#include <set>
 
 #include <fmt/format.h>
 
 #include <support/file.h>
 #include <support/toml_table.h>
+
+#include "checks.h"
+#include "session.h"
 
 namespace study {
 namespace {
@@ -38,23 +40,6 @@ void check_name(const TomlTable& table, std::string_view key, const std::string&
     if (name.empty() || name.size() > 64 || !std::all_of(name.begin(), name.end(), plain)) {
         throw table.error(
             key, fmt::format("expected 1 to 64 letters and digits, found \"{}\"", support::one_line(name)));
-    }
-}
-
-void check_shader(const TomlTable& table, std::string_view key, const std::string& shader) {
-    if (std::find(known_shaders.begin(), known_shaders.end(), shader) == known_shaders.end()) {
-        throw table.error(key, fmt::format("expected a shader ({}), found \"{}\"",
-                                           fmt::join(known_shaders, ", "), support::one_line(shader)));
-    }
-}
-
-template <typename T>
-void check_unique(const TomlTable& table, std::string_view key, const std::vector<T>& values) {
-    std::set<T> seen;
-    for (const T& value : values) {
-        if (!seen.insert(value).second) {
-            throw table.error(key, fmt::format("expected each value once, found {} twice", value));
-        }
     }
 }
 
@@ -255,49 +240,14 @@ DisplaySettings read_display(TomlTable table) {
             table.number("distance_mm", 1, 1e6)};
 }
 
-SessionSettings read_session(TomlTable table, const Protocol& protocol) {
-    SessionSettings session;
-    const bool has_ts =
-        std::find(protocol.shaders.begin(), protocol.shaders.end(), "ts") != protocol.shaders.end();
-    session.reference = table.text("reference", has_ts ? "ts" : protocol.shaders.front());
-    std::vector<std::string> others;
-    std::copy_if(protocol.shaders.begin(), protocol.shaders.end(), std::back_inserter(others),
-                 [&](const std::string& shader) { return shader != session.reference; });
-    session.tests = others.empty() && !table.has("tests") ? others : table.texts("tests", others);
-    check_unique(table, "tests", session.tests);
-    for (const auto& [key, shader] : [&] {
-             std::vector<std::pair<std::string_view, std::string>> all{{"reference", session.reference}};
-             for (const auto& test : session.tests) {
-                 all.emplace_back("tests", test);
-             }
-             return all;
-         }()) {
-        check_shader(table, key, shader);
-        if (std::find(protocol.shaders.begin(), protocol.shaders.end(), shader) == protocol.shaders.end()) {
-            throw table.error(key, fmt::format("expected one of the protocol's shaders ({}), found \"{}\"",
-                                               fmt::join(protocol.shaders, ", "), shader));
-        }
-        if (key == "tests" && shader == session.reference) {
-            throw table.error(key,
-                              fmt::format("expected shaders other than the reference, found \"{}\"", shader));
-        }
-    }
-    session.both_orders = table.boolean("both_orders", session.both_orders);
-    session.grey_s = table.number("grey_s", 0, 600, session.grey_s);
-    session.grey_level = table.number("grey_level", 0, 1, session.grey_level);
-
-    TomlTable texts = table.table("texts");
-    session.texts.instructions =
-        texts.text("instructions", "You will see {trials} pairs of images, one image after "
-                                   "the other.\nChoose the one that looks most realistic."
-                                   "\n\nPress space to begin.");
-    session.texts.trial =
-        texts.text("trial", "Trial {trial} of {trials}\n\nPress space for the first image.");
-    session.texts.end = texts.text("end", "That was the last trial. Thank you.\n\nPress space to finish.");
-    return session;
-}
-
 } // namespace
+
+void check_shader(const TomlTable& table, std::string_view key, const std::string& shader) {
+    if (std::find(known_shaders.begin(), known_shaders.end(), shader) == known_shaders.end()) {
+        throw table.error(key, fmt::format("expected a shader ({}), found \"{}\"",
+                                           fmt::join(known_shaders, ", "), support::one_line(shader)));
+    }
+}
 
 Protocol read_protocol(const fs::path& file) {
     TomlTable root = TomlTable::read(file);
@@ -335,7 +285,7 @@ Protocol read_protocol(const fs::path& file) {
     protocol.reference = read_reference(root.table("reference"));
     protocol.model = read_model(root.table("model"));
     protocol.scene = read_scene(root.table("scene"));
-    protocol.session = read_session(root.table("session"), protocol);
+    protocol.session = read_session(root.table("session"), protocol.shaders);
     if (root.has("display")) {
         protocol.display = read_display(root.table("display"));
     }

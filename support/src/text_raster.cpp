@@ -19,6 +19,16 @@ namespace {
 
 constexpr std::array<const char*, 2> fonts{"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
                                            "/usr/share/fonts/TTF/DejaVuSans.ttf"};
+constexpr std::array<const char*, 2> further_fonts{
+    "/usr/share/fonts/truetype/droid/DroidSansFallbackFull.ttf",
+    "/usr/share/fonts/droid/DroidSansFallbackFull.ttf"};
+
+/// The first of the files that is there; empty where none is.
+std::string first_there(const std::array<const char*, 2>& files) {
+    const auto file = std::find_if(files.begin(), files.end(),
+                                   [](const char* name) { return std::filesystem::exists(name); });
+    return file == files.end() ? "" : *file;
+}
 
 constexpr char32_t replacement = 0xfffd;
 
@@ -37,37 +47,52 @@ char32_t take_code_point(std::string_view& text) {
     return whole ? code : replacement;
 }
 
-/// FreeType's library and the font, opened once a thread.
-class Face {
+/// FreeType's library and the fonts, opened once a thread.
+class Faces {
 public:
-    Face() {
-        const auto font = std::find_if(fonts.begin(), fonts.end(),
-                                       [](const char* file) { return std::filesystem::exists(file); });
-        if (font == fonts.end()) {
-            throw failure("the font {} is needed to draw text; found none (Debian package fonts-dejavu-core)",
-                          fonts[0]);
-        }
-        if (FT_Init_FreeType(&library_) != 0 || FT_New_Face(library_, *font, 0, &face_) != 0) {
-            throw failure("{}: expected a font, found a file that FreeType cannot read", *font);
+    Faces() {
+        const auto files = font_files();
+        bool read = FT_Init_FreeType(&library_) == 0;
+        for (const std::string& file : files) {
+            FT_Face face = nullptr;
+            read = read && FT_New_Face(library_, file.c_str(), 0, &face) == 0;
+            if (!read) {
+                throw failure("{}: expected a font, found a file that FreeType cannot read", file);
+            }
+            faces_.push_back(face);
         }
     }
-    ~Face() { FT_Done_FreeType(library_); } // and its faces
-    Face(const Face&) = delete;
-    Face& operator=(const Face&) = delete;
-    FT_Face get() const { return face_; }
+    ~Faces() { FT_Done_FreeType(library_); } // and its faces
+    Faces(const Faces&) = delete;
+    Faces& operator=(const Faces&) = delete;
+
+    FT_Face first() const { return faces_.front(); }
+    /// The first font that has the letter; nothing where none has.
+    FT_Face with(char32_t code) const {
+        const auto face = std::find_if(faces_.begin(), faces_.end(), [&](FT_Face candidate) {
+            return FT_Get_Char_Index(candidate, code) != 0;
+        });
+        return face == faces_.end() ? nullptr : *face;
+    }
 
 private:
     FT_Library library_ = nullptr;
-    FT_Face face_ = nullptr;
+    std::vector<FT_Face> faces_;
 };
 
-/// The font at a size.
-FT_Face sized_face(int size_px) {
-    thread_local const Face face;
-    if (FT_Set_Pixel_Sizes(face.get(), 0, static_cast<FT_UInt>(size_px)) != 0) {
+const Faces& faces() {
+    thread_local const Faces opened;
+    return opened;
+}
+
+/// The font that has a letter, else the first, at a size.
+FT_Face sized_face(int size_px, char32_t code) {
+    const FT_Face having = faces().with(code);
+    const FT_Face face = having ? having : faces().first();
+    if (FT_Set_Pixel_Sizes(face, 0, static_cast<FT_UInt>(size_px)) != 0) {
         throw failure("the font cannot be used at {} pixels", size_px);
     }
-    return face.get();
+    return face;
 }
 
 constexpr int unit = 64; // FreeType counts in 64ths of a pixel
@@ -97,6 +122,29 @@ void add_glyph(TextRaster& raster, const FT_GlyphSlot glyph, int pen_x, int base
 
 } // namespace
 
+std::vector<std::string> font_files() {
+    std::vector<std::string> files{first_there(fonts)};
+    if (files.front().empty()) {
+        throw failure("the font {} is needed to draw text; found none (Debian package fonts-dejavu-core)",
+                      fonts[0]);
+    }
+    if (const std::string further = first_there(further_fonts); !further.empty()) {
+        files.push_back(further);
+    }
+    return files;
+}
+
+std::string letter_without_font(std::string_view text) {
+    while (!text.empty()) {
+        const std::string_view before = text;
+        const char32_t code = take_code_point(text);
+        if (code >= ' ' && !faces().with(code)) {
+            return std::string(before.substr(0, before.size() - text.size()));
+        }
+    }
+    return "";
+}
+
 int text_width(std::string_view text, int size_px) {
     // Layouts ask for the same letters over and over.
     thread_local std::map<std::pair<int, char32_t>, int> advances;
@@ -105,7 +153,7 @@ int text_width(std::string_view text, int size_px) {
         const char32_t code = take_code_point(text);
         const auto [found, added] = advances.emplace(std::pair(size_px, code), 0);
         if (added) {
-            found->second = advance_of(sized_face(size_px), code, FT_LOAD_DEFAULT);
+            found->second = advance_of(sized_face(size_px, code), code, FT_LOAD_DEFAULT);
         }
         width += found->second;
     }
@@ -115,15 +163,18 @@ int text_width(std::string_view text, int size_px) {
 TextRaster text_raster(std::string_view text, int size_px) {
     TextRaster raster;
     raster.width = std::max(text_width(text, size_px), 1);
-    const FT_Face face = sized_face(size_px);
+    const FT_Face metrics = sized_face(size_px, ' ');
     // Rounded up, so that no letter loses its top row or the last of a descender.
-    raster.baseline = static_cast<int>((face->size->metrics.ascender + unit - 1) / unit) + 1;
-    raster.height = raster.baseline + static_cast<int>((unit - 1 - face->size->metrics.descender) / unit) + 1;
+    raster.baseline = static_cast<int>((metrics->size->metrics.ascender + unit - 1) / unit) + 1;
+    raster.height =
+        raster.baseline + static_cast<int>((unit - 1 - metrics->size->metrics.descender) / unit) + 1;
     raster.coverage.assign(static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height),
                            0);
     int pen_x = 0;
     while (!text.empty()) {
-        const int advance = advance_of(face, take_code_point(text), FT_LOAD_RENDER);
+        const char32_t code = take_code_point(text);
+        const FT_Face face = sized_face(size_px, code);
+        const int advance = advance_of(face, code, FT_LOAD_RENDER);
         add_glyph(raster, face->glyph, pen_x, raster.baseline);
         pen_x += advance;
     }

@@ -111,8 +111,9 @@ TEST(SimulatedStageTest, choosesTheReferenceAsOftenAsItsObserverDoes) {
     const double proportion = observer.reference_proportion("ss_full", "zoom", 110); // 22/32
     constexpr int trials = 4000;
     int chosen = 0;
-    experiment::SimulatedStage stage(observer, 7);
     for (int i = 0; i < trials; ++i) {
+        // A participant answers a pair alike each time, so each trial has one of its own.
+        experiment::SimulatedStage stage(observer, static_cast<std::uint64_t>(i));
         const bool reference_first = i % 2 == 0;
         stage.show(experiment::Stimulus{reference_first ? "ts" : "ss_full", "zoom", 110});
         stage.show(experiment::Grey{});
@@ -122,6 +123,77 @@ TEST(SimulatedStageTest, choosesTheReferenceAsOftenAsItsObserverDoes) {
     }
     // Binomial: the bound of five standard deviations is passed by chance once in two million seeds.
     EXPECT_NEAR(chosen, trials * proportion, 5 * std::sqrt(trials * proportion * (1 - proportion)));
+}
+
+/// How often participants of a file's kind press 1 where the reference is shown first, and where it is
+/// second.
+std::array<double, 2> first_key_shares(const std::string& toml, int participants) {
+    const fixture::TemporaryFolder folder;
+    fixture::write(folder / "o.toml", toml);
+    const Observer observer((folder / "o.toml").string(), published());
+    std::array<double, 2> shares{};
+    for (int i = 0; i < participants; ++i) {
+        experiment::SimulatedStage stage(observer, static_cast<std::uint64_t>(i));
+        for (const std::size_t order : {0U, 1U}) {
+            stage.show(experiment::Stimulus{order == 0 ? "ts" : "ss_full", "near", 0});
+            stage.show(experiment::Stimulus{order == 0 ? "ss_full" : "ts", "near", 0});
+            const auto press = stage.wait_for({experiment::Key::one, experiment::Key::two});
+            shares[order] += press.key == experiment::Key::one ? 1.0 / participants : 0;
+        }
+    }
+    return shares;
+}
+
+constexpr int participants = 4000;
+constexpr double five_sd = 5 * 0.5 / 63.2; // of a share of 4000 answers, at most; passed once in two million
+
+TEST(SimulatedStageTest, lapsesAsOftenAsTheFileSays) {
+    // Certain of the reference but for a tenth of tosses: 0.9 + 0.1 / 2.
+    const auto shares = first_key_shares("default = 1\nlapse_rate = 0.1", participants);
+    EXPECT_NEAR(shares[0], 0.95, five_sd);
+    EXPECT_NEAR(shares[1], 0.05, five_sd);
+}
+
+TEST(SimulatedStageTest, favoursThePictureOfItsBias) {
+    // Odds of 3 for the first picture, by bias alone, then with even odds of 4 for the reference: 12 and 3/4.
+    EXPECT_NEAR(first_key_shares("interval_bias = 1.0986122886681098", participants)[0], 0.75, five_sd);
+    const auto both = first_key_shares("default = 0.8\ninterval_bias = 1.0986122886681098", participants);
+    EXPECT_NEAR(both[0], 12.0 / 13, five_sd);
+    EXPECT_NEAR(both[1], 3.0 / 7, five_sd);
+}
+
+TEST(SimulatedStageTest, differsBetweenParticipantsByTheSpread) {
+    // With so large a spread a participant is all but certain, one way or the other: both orders agree.
+    const fixture::TemporaryFolder folder;
+    fixture::write(folder / "o.toml", "spread = 100");
+    const Observer observer((folder / "o.toml").string(), published());
+    int same = 0;
+    int reference = 0;
+    for (std::uint64_t seed = 0; seed < 400; ++seed) {
+        experiment::SimulatedStage stage(observer, seed);
+        std::array<bool, 2> chose_reference{};
+        for (const std::size_t order : {0U, 1U}) {
+            stage.show(experiment::Stimulus{order == 0 ? "ts" : "ss_full", "near", 0});
+            stage.show(experiment::Stimulus{order == 0 ? "ss_full" : "ts", "near", 0});
+            const auto press = stage.wait_for({experiment::Key::one, experiment::Key::two});
+            chose_reference[order] = (press.key == experiment::Key::one) == (order == 0);
+        }
+        same += chose_reference[0] == chose_reference[1] ? 1 : 0;
+        reference += chose_reference[0] ? 1 : 0;
+    }
+    // |N(0, 100)| is below 5, where answers may differ, with a probability of 0.04: 16 of 400, and five SD
+    // of 4.
+    EXPECT_GT(same, 400 - 36);
+    EXPECT_NEAR(reference, 200, 50);
+}
+
+TEST(SimulatedStageTest, takesTheTimesOfTheFile) {
+    const fixture::TemporaryFolder folder;
+    fixture::write(folder / "o.toml", "[response_time]\nmedian_s = 7\nlog_sd = 0");
+    experiment::SimulatedStage stage(Observer((folder / "o.toml").string(), published()), 1);
+    stage.show(experiment::Stimulus{"ts", "near", 0});
+    const double onset_s = stage.show(experiment::Stimulus{"no_sss", "near", 0});
+    EXPECT_DOUBLE_EQ(stage.wait_for({experiment::Key::one, experiment::Key::two}).time_s - onset_s, 7);
 }
 
 TEST(SimulatedStageTest, hasCertainObserversAnswerWithoutFail) {

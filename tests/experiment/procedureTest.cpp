@@ -34,7 +34,16 @@ public:
         events.push_back(keys.size() == 1 ? "space?" : "1 or 2?");
         return {keys.size() == 1 ? Key::space : Key::two, ++now_s_};
     }
+    FormAnswer ask(const Form& form) override {
+        events.push_back("form " + form.id);
+        return {};
+    }
+    bool tell_trouble(const std::string& message) override {
+        events.push_back("trouble " + message);
+        return false;
+    }
     StageFacts facts() const override { return {}; }
+    double now_s() const override { return now_s_; }
 
     std::vector<std::string> events;
     std::vector<std::size_t> saved_when_shown;
@@ -43,6 +52,10 @@ private:
     const SessionLog& log_;
     double now_s_ = 100;
 };
+
+void run(const study::Protocol& protocol, const Schedule& schedule, Stage& stage, SessionLog& log) {
+    run_trials({.session = protocol.session, .schedule = schedule}, stage, log);
+}
 
 TEST(ProcedureTest, fillsInTheTrialNumbers) {
     EXPECT_EQ(fill_in("{trial}/{trials} {trial}{", 3, 72), "3/72 3{");
@@ -55,7 +68,7 @@ TEST(ProcedureTest, runsEachTrialAsPublished) {
     const Schedule schedule{{"ts", "no_sss", "near", 0, "no_sss", "ts"}};
     SessionLog log = SessionLog::create(folder / "study", "01");
     WitnessStage stage(log);
-    run_trials(protocol.session, schedule, stage, log);
+    run(protocol, schedule, stage, log);
     run_end_page(protocol.session, schedule, stage);
     EXPECT_EQ(stage.events, (std::vector<std::string>{"page You wil", "space?", "page Trial 1", "space?",
                                                       "no_sss after 0 s", "space?", "grey 0.5",
@@ -67,7 +80,7 @@ TEST(ProcedureTest, savesEachAnswerBeforeAnythingElseIsShown) {
     const auto protocol = fixture::small_protocol(folder.path(), "[0, 60]");
     SessionLog log = SessionLog::create(folder / "study", "01");
     WitnessStage stage(log);
-    run_trials(protocol.session, make_schedule(protocol, 1), stage, log);
+    run(protocol, make_schedule(protocol, 1), stage, log);
     // Instructions, then four pictures a trial: all show what the trials before have left.
     EXPECT_EQ(stage.saved_when_shown,
               (std::vector<std::size_t>{0, 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3}));
@@ -78,7 +91,7 @@ TEST(ProcedureTest, logsTimesFromTheInstructionsAndTheSecondPicture) {
     const auto protocol = fixture::small_protocol(folder.path());
     SessionLog log = SessionLog::create(folder / "study", "01");
     WitnessStage stage(log);
-    run_trials(protocol.session, make_schedule(protocol, 1), stage, log);
+    run(protocol, make_schedule(protocol, 1), stage, log);
     const auto row = fixture::read_log(log.path()).front();
     // By the stage's clock: instructions at 101, number at 103, first at 105, grey at 107, second at 108, key
     // at 109.
@@ -95,7 +108,7 @@ TEST(ProcedureTest, keepsTheGreyOfASimulatedSessionExact) {
     const auto protocol = study::read_protocol(SKIN2AFC_PROTOCOLS "/jimenez2009.toml");
     SessionLog log = SessionLog::create(folder / "study", "01");
     SimulatedStage stage(Observer("null", protocol), 1);
-    run_trials(protocol.session, make_schedule(protocol, 1), stage, log);
+    run(protocol, make_schedule(protocol, 1), stage, log);
     const auto rows = fixture::read_log(log.path());
     ASSERT_EQ(rows.size(), 72U);
     double last_s = 0;

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The skin2afc authors
 // SPDX-License-Identifier: MIT
 
+#include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <set>
 #include <tuple>
@@ -77,6 +79,78 @@ TEST(ScheduleTest, drawsTheOrderByLotWhereEachPairIsShownOnce) {
     }
     // 1800 fair tosses: SD 21.2; five of them are passed by chance once in two million.
     EXPECT_NEAR(reference_first, 900, 106);
+}
+
+TEST(ScheduleTest, letsNoConditionFollowItselfWhereAsked) {
+    study::Protocol protocol = published();
+    protocol.session.immediate_repeats = false;
+    int repeats_allowed = 0;
+    for (std::uint64_t seed = 0; seed < 50; ++seed) {
+        Schedule schedule = make_schedule(protocol, seed);
+        for (std::size_t i = 1; i < schedule.size(); ++i) {
+            EXPECT_FALSE(schedule[i].same_condition(schedule[i - 1])) << seed << " " << i;
+        }
+        Schedule free = make_schedule(published(), seed);
+        for (std::size_t i = 1; i < free.size(); ++i) {
+            repeats_allowed += free[i].same_condition(free[i - 1]) ? 1 : 0;
+        }
+        // It is still every trial once.
+        const auto by_words = [](const Trial& a, const Trial& b) { return text_of(a) < text_of(b); };
+        std::sort(schedule.begin(), schedule.end(), by_words);
+        std::sort(free.begin(), free.end(), by_words);
+        EXPECT_EQ(schedule, free);
+    }
+    EXPECT_GT(repeats_allowed, 0); // or the test has shown nothing: one a shuffle is expected
+    protocol.session.tests = {"no_sss"};
+    protocol.camera.distances.resize(1);
+    protocol.light.azimuths_deg.resize(1);
+    EXPECT_THROW(make_schedule(protocol, 1), support::InputError);
+}
+
+TEST(ScheduleTest, balancesWhichOrderComesFirstOverParticipants) {
+    std::vector<Schedule> finished;
+    for (std::uint64_t participant = 0; participant < 16; ++participant) {
+        const Schedule shuffled = make_schedule(published(), participant);
+        const Schedule schedule = balanced(shuffled, finished);
+        ASSERT_EQ(schedule.size(), shuffled.size());
+        for (std::size_t i = 0; i < schedule.size(); ++i) {
+            EXPECT_TRUE(schedule[i].same_condition(shuffled[i])); // the places stay
+        }
+        if (finished.empty()) {
+            EXPECT_EQ(schedule, shuffled); // nothing to balance
+        }
+        finished.push_back(schedule);
+
+        // How many saw the reference first, by condition, at its first showing.
+        std::map<std::string, int> reference_first, seen;
+        for (const Schedule& other : finished) {
+            std::set<std::string> conditions;
+            std::set<std::string> trials;
+            for (const Trial& trial : other) {
+                const std::string condition = trial.test + trial.distance + std::to_string(trial.azimuth_deg);
+                EXPECT_TRUE(trials.insert(text_of(trial)).second);
+                if (conditions.insert(condition).second) {
+                    ++seen[condition];
+                    reference_first[condition] += trial.first == trial.reference ? 1 : 0;
+                }
+            }
+        }
+        for (const auto& [condition, count] : seen) {
+            // As even as a whole number of participants can be.
+            EXPECT_LE(std::abs(2 * reference_first[condition] - count), 1) << condition;
+        }
+    }
+}
+
+TEST(ScheduleTest, drawsPracticeFromItsOwnTrials) {
+    const Schedule schedule = make_schedule(published(), 1);
+    const Schedule practice = practice_trials(schedule, 100, 1);
+    ASSERT_EQ(practice.size(), 100U);
+    for (const Trial& trial : practice) {
+        EXPECT_NE(std::find(schedule.begin(), schedule.end(), trial), schedule.end());
+    }
+    EXPECT_EQ(practice, practice_trials(schedule, 100, 1));
+    EXPECT_NE(practice, practice_trials(schedule, 100, 2));
 }
 
 TEST(ScheduleTest, refusesAProtocolThatComparesNothing) {

@@ -119,7 +119,8 @@ std::size_t reported_before_kill(const study::Protocol& protocol, const std::fil
     if (child == 0) {
         SessionLog log = SessionLog::create(study, "01");
         ReportingStage stage(experiment::Observer("paper", protocol), log, pipe_ends[1]);
-        experiment::run_trials(protocol.session, experiment::make_schedule(protocol, 1), stage, log);
+        const auto schedule = experiment::make_schedule(protocol, 1);
+        experiment::run_trials({.session = protocol.session, .schedule = schedule}, stage, log);
         ::_exit(0);
     }
     ::close(pipe_ends[1]);

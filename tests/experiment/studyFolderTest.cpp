@@ -45,7 +45,7 @@ TEST(StudyFolderTest, keepsWhatOthersWroteAboutParticipants) {
     fixture::write(folder / "participants.tsv", "participant_id\tage\tsex\r\nsub-9\t30\tf");
     StudyFolder(folder.path(), false, "paper").prepare("A study", "01");
     EXPECT_EQ(fixture::read(folder / "participants.tsv"),
-              "participant_id\tage\tsex\r\nsub-9\t30\tf\nsub-01\tn/a\tn/a\n");
+              "participant_id\tage\tsex\nsub-9\t30\tf\nsub-01\tn/a\tn/a\n");
 }
 
 TEST(StudyFolderTest, refusesAForeignParticipantsTable) {
@@ -80,7 +80,7 @@ TEST(StudyFolderTest, notesEachParticipantOnceForProgramsAtOnce) {
 TEST(StudyFolderTest, waitsForTheProgramThatHoldsTheParticipants) {
     const fixture::TemporaryFolder folder;
     fixture::write(folder / "participants.tsv", "participant_id\n");
-    const int held = ::open((folder / "participants.tsv").c_str(), O_RDONLY);
+    const int held = ::open(folder.path().c_str(), O_RDONLY);
     ASSERT_EQ(::flock(held, LOCK_EX), 0);
     const pid_t child = ::fork();
     if (child == 0) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include <sys/types.h>
 
@@ -26,13 +27,23 @@ public:
     /// Wait until the pixel has that colour; whether it got it in 20 seconds.
     bool becomes(int x, int y, const std::array<std::uint8_t, 3>& rgb) const;
 
+    /// Keep the whole screen as a picture; whether it has more than one colour.
+    bool save(const std::filesystem::path& png) const;
+
     /// Press and release a key, by its X name: "space", "1", "KP_2".
     static void key(const std::string& name);
     static void key_down(const std::string& name);
     static void key_up(const std::string& name);
+    /// Anything else that xdotool does.
+    static void act(const std::vector<std::string>& words);
+    /// Ask the program to close its window, as a window manager's cross does.
+    static void ask_to_close();
+    /// Take the keyboard from the program's window, or give it back.
+    static void focus(bool window);
 
 private:
     std::filesystem::path framebuffer_;
+    int width_, height_;
     pid_t server_ = -1;
 };
 

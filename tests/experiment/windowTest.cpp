@@ -93,8 +93,10 @@ protected:
 
     void leave_instructions() const {
         ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
+        // The start page may not be there yet: only what it asks for ends it.
         while (!std::filesystem::exists(sidecar())) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            VirtualScreen::key("Return");
+            std::this_thread::sleep_for(std::chrono::milliseconds(100));
         }
         // The instructions come after the sidecar; their first key may come too early.
         std::this_thread::sleep_for(std::chrono::milliseconds(500));
@@ -186,6 +188,123 @@ TEST_F(WindowTest, takesAKeyThatIsHeldForOnePress) {
     VirtualScreen::key_up("space");
     VirtualScreen::key("space");
     expect_picture(picture(0, false));
+}
+
+TEST_F(WindowTest, asksBeforeAClosedWindowEndsIt) {
+    start("[0]", 0.1);
+    leave_instructions();
+    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    VirtualScreen::key("space");
+    expect_picture(picture(0, true));
+    // Asked in the middle of a trial, and told to go on, it shows the trial again.
+    VirtualScreen::ask_to_close();
+    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    VirtualScreen::key("Escape"); // does nothing
+    VirtualScreen::key("1");
+    VirtualScreen::key("Return");
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    run_trial(0, "1");
+    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    VirtualScreen::ask_to_close();
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    VirtualScreen::key("2");
+    VirtualScreen::key("Return");
+    const auto outcome = finish();
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_NE(outcome.err.find("the window was closed; 1 of 2 trials are saved"), std::string::npos)
+        << outcome.err;
+    const auto facts = nlohmann::json::parse(fixture::read(sidecar()));
+    EXPECT_NE(facts["Events"].dump().find("asked to close; the trial was shown again"), std::string::npos);
+    EXPECT_EQ(fixture::read_log(log()).size(), 1U);
+}
+
+TEST_F(WindowTest, saysThatTheKeyboardWasElsewhere) {
+    start("[0]", 0.1);
+    leave_instructions();
+    VirtualScreen::focus(false);
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    VirtualScreen::focus(true);
+    run_trial(0, "2");
+    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
+    ::kill(program_, SIGTERM);
+    finish();
+    const std::string events = nlohmann::json::parse(fixture::read(sidecar()))["Events"].dump();
+    EXPECT_NE(events.find("lost the keyboard"), std::string::npos) << events;
+    EXPECT_NE(events.find("has the keyboard again"), std::string::npos) << events;
+}
+
+TEST_F(WindowTest, showsATrialAgainWhenTheScreenChanged) {
+    start("[0]", 0.1);
+    leave_instructions();
+    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    VirtualScreen::key("space");
+    expect_picture(picture(0, true));
+    const auto resize = [](const char* width, const char* height) {
+        VirtualScreen::act({"search", "--name", "^skin2afc$", "windowsize", width, height});
+    };
+    resize("300", "150"); // smaller than the pictures: the session waits
+    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    resize("403", "301");
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    VirtualScreen::key("Return");
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    run_trial(0, "2");
+    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
+    ::kill(program_, SIGTERM);
+    finish();
+    const std::string events = nlohmann::json::parse(fixture::read(sidecar()))["Events"].dump();
+    EXPECT_NE(events.find("the screen changed; the trial was shown again"), std::string::npos) << events;
+    EXPECT_EQ(fixture::read_log(log()).size(), 1U);
+}
+
+TEST_F(WindowTest, takesTheFirstOfTwoKeysAtOnce) {
+    start("[0]", 0.1);
+    leave_instructions();
+    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    VirtualScreen::key("space");
+    expect_picture(picture(0, true));
+    VirtualScreen::key("space");
+    ASSERT_TRUE(screen_.becomes(1, 1, grey));
+    expect_picture(picture(0, false));
+    VirtualScreen::act({"keydown", "2", "keydown", "1", "keyup", "2", "keyup", "1"});
+    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
+    ASSERT_EQ(fixture::read_log(log()).size(), 1U);
+    EXPECT_EQ(fixture::read_log(log())[0].at("response"), "2");
+}
+
+TEST_F(WindowTest, goesOnAfterAKillAtTheFirstTrialWithoutAnswer) {
+    start("[0, 60]", 0.1);
+    leave_instructions();
+    run_trial(0, "1");
+    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
+    ::kill(program_, SIGKILL);
+    finish();
+    const std::string before = fixture::read(log());
+    program_ = fixture::start_program({"session", protocol_.file.string(), "--stimuli",
+                                       (folder_ / "stimuli").string(), "--study", study().string(),
+                                       "--participant", "01", "--seed", "4"},
+                                      folder_.path());
+    const auto parts = [&] { return nlohmann::json::parse(fixture::read(sidecar()))["Parts"].size(); };
+    while (parts() < 2) {
+        VirtualScreen::key("Return");
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    VirtualScreen::key("space");
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    run_trial(1, "2");
+    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
+    EXPECT_EQ(fixture::read(log()).substr(0, before.size()), before);
+    const auto rows = fixture::read_log(log());
+    ASSERT_EQ(rows.size(), 2U);
+    EXPECT_EQ(rows[1].at("response"), "2");
+    EXPECT_EQ(rows[1].at("first"), schedule_[1].first);
 }
 
 TEST_F(WindowTest, refusesAScreenSmallerThanThePictures) {

@@ -190,4 +190,62 @@ TEST_F(ProtocolTest, namesStimuliAsTheirFilesAre) {
     EXPECT_EQ(study::stimulus_name("ss_full", "far", 110), "ss_full_far_110");
 }
 
+TEST_F(ProtocolTest, readsWhatAParticipantMeets) {
+    const study::Protocol protocol = read(std::string(least) + R"(
+[session]
+practice = 3
+pause_every = 24
+immediate_repeats = false
+leave = "alt+x"
+[session.texts]
+consent = "Möchten Sie?"
+[[session.questions]]
+id = "age"
+kind = "integer"
+text = "Alter?"
+least = 18
+most = 99
+[[session.questions]]
+id = "art"
+kind = "multiple"
+text = "Kunst?"
+choices = ["Zeichnen", "Foto"]
+values = ["drawing", "photography"]
+optional = true
+)");
+    EXPECT_EQ(protocol.session.practice, 3);
+    EXPECT_EQ(protocol.session.pause_every, 24);
+    EXPECT_FALSE(protocol.session.immediate_repeats);
+    EXPECT_EQ(study::text_of(protocol.session.leave), "Alt+X");
+    EXPECT_EQ(protocol.session.texts.consent, "Möchten Sie?");
+    ASSERT_EQ(protocol.session.questions.size(), 2U);
+    EXPECT_EQ(protocol.session.questions[0].most, 99);
+    EXPECT_EQ(protocol.session.questions[1].values[1], "photography");
+    EXPECT_TRUE(protocol.session.questions[1].optional);
+}
+
+TEST_F(ProtocolTest, refusesQuestionsThatCannotBeAskedOrWritten) {
+    const auto question = [&](const std::string& fields) {
+        return error(std::string(least) + "[[session.questions]]\ntext = \"?\"\n" + fields);
+    };
+    const auto expect = [](const std::string& message, const std::string& part) {
+        EXPECT_NE(message.find(part), std::string::npos) << message;
+    };
+    expect(question("id = \"a b\"\nkind = \"text\""), "id: expected 1 to 64 letters");
+    expect(question("id = \"participant_id\"\nkind = \"text\""), "id: expected");
+    expect(question("id = \"a\"\nkind = \"colour\""), "kind: expected");
+    expect(question("id = \"a\"\nkind = \"choice\"\nchoices = [\"x\"]"),
+           "choices: expected 2 to 9 texts, found 1");
+    expect(question("id = \"a\"\nkind = \"choice\"\nchoices = [\"x\", \"y\"]\nvalues = [\"x\"]"),
+           "values: expected one a choice, 2, found 1");
+    expect(question("id = \"a\"\nkind = \"choice\"\nchoices = [\"x\", \"x\"]"), "each value once");
+    expect(question("id = \"a\"\nkind = \"choice\"\nchoices = [\"x\", \"n/a\"]"), "not \"n/a\"");
+    expect(question("id = \"a\"\nkind = \"multiple\"\nchoices = [\"x;y\", \"z\"]"), "expected no semicolon");
+    expect(question("id = \"a\"\nkind = \"integer\"\nleast = 3\nmost = 2"), "most: expected");
+    for (const char* leave : {"q", "shift+q", "ctrl+", "ctrl+qq", "ctrl+q+x", "super+q", ""}) {
+        expect(error(std::string(least) + "[session]\nleave = \"" + leave + "\""),
+               "session.leave: expected ctrl");
+    }
+}
+
 } // namespace

@@ -6,12 +6,15 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <string>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <support/error.h>
+#include <support/file.h>
 
 namespace experiment {
 namespace {
@@ -58,11 +61,12 @@ std::optional<DurableFile> DurableFile::create(const fs::path& path, std::string
     // Write the first text under another name.
     const fs::path pending =
         path.parent_path() / fmt::format(".{}.{}.pending", path.filename().string(), ::getpid());
-    const int fd = ::open(pending.c_str(), O_CREAT | O_TRUNC | O_WRONLY | O_APPEND | O_CLOEXEC, 0644);
+    const int fd = ::open(pending.c_str(), O_CREAT | O_TRUNC | O_RDWR | O_APPEND | O_CLOEXEC, 0644);
     if (fd < 0) {
         throw support::failure("{}: cannot be created: {}", path.string(), std::strerror(errno));
     }
     DurableFile file(path, fd);
+    ::flock(fd, LOCK_EX | LOCK_NB); // no one else knows the file yet
     try {
         file.append(first);
     } catch (const support::Failure&) {
@@ -99,10 +103,55 @@ void DurableFile::append(std::string_view text) {
     size_ += static_cast<off_t>(text.size());
 
     // A file deleted meanwhile takes writes without complaint and loses them.
-    struct stat status {};
-    if (::fstat(fd_, &status) == 0 && status.st_nlink == 0) {
+    if (was_deleted()) {
+        size_ -= static_cast<off_t>(text.size());
         throw support::failure("{}: was deleted while the session ran", path_.string());
     }
+}
+
+bool DurableFile::was_deleted() const {
+    struct stat status {};
+    return ::fstat(fd_, &status) == 0 && status.st_nlink == 0;
+}
+
+DurableFile DurableFile::reopen(const fs::path& path, off_t whole) {
+    const int fd = ::open(path.c_str(), O_RDWR | O_APPEND | O_CLOEXEC);
+    if (fd < 0) {
+        throw support::failure("{}: cannot be opened for writing: {}", path.string(), std::strerror(errno));
+    }
+    DurableFile file(path, fd);
+    file.size_ = whole;
+    if (::flock(fd, LOCK_EX | LOCK_NB) != 0) {
+        throw support::input_error("{}: expected a log that no one writes to, found another session at it",
+                                   path.string());
+    }
+    if (::ftruncate(fd, whole) != 0 || ::fsync(fd) != 0) {
+        throw support::failure("{}: cannot be written: {}", path.string(), std::strerror(errno));
+    }
+    return file;
+}
+
+DurableFile& DurableFile::operator=(DurableFile&& other) noexcept {
+    std::swap(path_, other.path_);
+    std::swap(fd_, other.fd_);
+    std::swap(size_, other.size_);
+    return *this;
+}
+
+void DurableFile::restore() {
+    if (!was_deleted()) {
+        return;
+    }
+    std::string content(static_cast<std::size_t>(size_), '\0');
+    if (::pread(fd_, content.data(), content.size(), 0) != static_cast<ssize_t>(size_)) {
+        throw support::failure("{}: cannot be read back: {}", path_.string(), std::strerror(errno));
+    }
+    support::make_writable_folder(path_.parent_path());
+    auto anew = create(path_, content);
+    if (!anew) {
+        throw support::failure("{}: was deleted, and another file has its name now", path_.string());
+    }
+    *this = std::move(*anew);
 }
 
 } // namespace experiment

@@ -13,6 +13,8 @@
 namespace experiment {
 namespace {
 
+std::string run_prefix(const std::string& label) { return fmt::format("sub-{}_task-skin2afc_run-", label); }
+
 /// The run number in a log's or sidecar's name; 0 for other names.
 int run_of(const std::string& name, const std::string& prefix) {
     int run = 0;
@@ -36,6 +38,19 @@ std::string log_row(std::size_t number, const Answer& answer) {
                        answer.onset_second_s);
 }
 
+fs::path log_path(const fs::path& study, const std::string& label, int run) {
+    return study / ("sub-" + label) / "beh" / fmt::format("{}{:02d}_beh.tsv", run_prefix(label), run);
+}
+
+int last_run(const fs::path& study, const std::string& label) {
+    int last = 0;
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(study / ("sub-" + label) / "beh", none)) {
+        last = std::max(last, run_of(entry.path().filename().string(), run_prefix(label)));
+    }
+    return last;
+}
+
 SessionLog SessionLog::create(const fs::path& study, const std::string& label) {
     const fs::path participant = study / ("sub-" + label);
     const fs::path folder = participant / "beh";
@@ -43,19 +58,16 @@ SessionLog SessionLog::create(const fs::path& study, const std::string& label) {
     sync_folder(participant);
     sync_folder(study);
 
-    // Go on after the last run that has left a file.
-    const std::string prefix = fmt::format("sub-{}_task-skin2afc_run-", label);
-    int run = 1;
-    for (const auto& entry : fs::directory_iterator(folder)) {
-        run = std::max(run, run_of(entry.path().filename().string(), prefix) + 1);
-    }
-    // Take the first number that no other program takes before.
-    for (;; ++run) {
-        const fs::path path = folder / fmt::format("{}{:02d}_beh.tsv", prefix, run);
-        if (auto file = DurableFile::create(path, fmt::format("{}\n", log_header))) {
+    // Take the first number after the last run that no other program takes before.
+    for (int run = last_run(study, label) + 1;; ++run) {
+        if (auto file = DurableFile::create(log_path(study, label, run), fmt::format("{}\n", log_header))) {
             return SessionLog(std::move(*file));
         }
     }
+}
+
+SessionLog SessionLog::resume(const fs::path& path, std::size_t answers, off_t whole) {
+    return SessionLog(DurableFile::reopen(path, whole), answers);
 }
 
 void SessionLog::append(const Answer& answer) {

@@ -27,16 +27,28 @@ extern const std::string_view log_header;
 /// The log's line for the answer to the `number`th trial, with its end.
 std::string log_row(std::size_t number, const Answer& answer);
 
+/// The number of the participant's last run that has left a log or sidecar in a study; 0 where there is none.
+int last_run(const fs::path& study, const std::string& label);
+/// The log of a participant's run.
+fs::path log_path(const fs::path& study, const std::string& label, int run);
+
 /// One run's log: SUB/beh/sub-LABEL_task-skin2afc_run-NN_beh.tsv, and its sidecar of the same name with
-/// .json. It is created once, never overwritten, and each answer is on the disk when append() returns.
+/// .json. It is created once, never overwritten, written by one program at a time, and each answer is on the
+/// disk when append() returns.
 class SessionLog {
 public:
     /// Create the participant's next run in a study folder; of two programs that do so at once, each gets its
     /// own. Throws support::Failure.
     static SessionLog create(const fs::path& study, const std::string& label);
 
+    /// Go on with a run's log after its first `answers`, which end at the byte `whole`. Throws
+    /// support::InputError where another program writes to it, support::Failure.
+    static SessionLog resume(const fs::path& path, std::size_t answers, off_t whole);
+
     /// Throws support::Failure; the answers before stay as they were.
     void append(const Answer& answer);
+    /// Where the log was deleted meanwhile, write it anew. Throws support::Failure.
+    void restore() { file_.restore(); }
 
     /// Answers on the disk.
     std::size_t answers() const { return answers_; }
@@ -44,10 +56,11 @@ public:
     fs::path sidecar_path() const { return fs::path(path()).replace_extension(".json"); }
 
 private:
-    explicit SessionLog(DurableFile file) : file_(std::move(file)) {}
+    explicit SessionLog(DurableFile file, std::size_t answers = 0)
+        : file_(std::move(file)), answers_(answers) {}
 
     DurableFile file_;
-    std::size_t answers_ = 0;
+    std::size_t answers_;
 };
 
 } // namespace experiment

@@ -3,12 +3,18 @@
 
 #include "sidecar.h"
 
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <sys/utsname.h>
 
+#include <support/error.h>
 #include <support/file.h>
 
-#include "../procedure.h"
+#include "../window/pacing.h"
 
 namespace experiment {
 namespace {
@@ -30,6 +36,12 @@ ordered_json presentation(const StageFacts& stage) {
     ordered_json facts{{"OperatingSystem", operating_system()},
                        {"SoftwareName", "skin2afc"},
                        {"SoftwareVersion", SKIN2AFC_VERSION}};
+    if (stage.screen_size_mm) {
+        facts["ScreenSize"] = {(*stage.screen_size_mm)[0] / 1000, (*stage.screen_size_mm)[1] / 1000};
+    }
+    if (stage.viewing_distance_mm) {
+        facts["ScreenDistance"] = *stage.viewing_distance_mm / 1000;
+    }
     if (stage.resolution_px) {
         facts["ScreenResolution"] = *stage.resolution_px;
     }
@@ -74,48 +86,144 @@ ordered_json columns() {
     return all;
 }
 
+double system_clock_s() {
+    timespec now{};
+    ::clock_gettime(CLOCK_REALTIME, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// A time of the system's clock, as BIDS writes it, in universal time.
+std::string time_text(double time_s) {
+    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(static_cast<std::time_t>(time_s)));
+}
+
+/// The order of the trials in words, which a resumed session reads.
+ordered_json order_of(const Schedule& schedule) {
+    ordered_json order = ordered_json::array();
+    for (const Trial& trial : schedule) {
+        order.push_back(text_of(trial));
+    }
+    return order;
+}
+
+/// Median and worst of times, "n/a" where there are none.
+void add_spread(ordered_json& to, const std::string& name, std::vector<double> values_s) {
+    if (values_s.empty()) {
+        to[name + "Median"] = to[name + "Worst"] = "n/a";
+        return;
+    }
+    std::transform(values_s.begin(), values_s.end(), values_s.begin(), [](double s) { return std::abs(s); });
+    to[name + "Median"] = median(values_s);
+    to[name + "Worst"] = *std::max_element(values_s.begin(), values_s.end());
+}
+
 } // namespace
 
-Sidecar::Sidecar(fs::path path, const study::Protocol& protocol, const SessionFacts& session,
-                 const StageFacts& stage)
-    : path_(std::move(path)) {
-    content_ = {{"TaskName", "skin2afc"},
-                {"TaskDescription",
-                 "Two-alternative forced choice: of two pictures of a face shown one after the "
-                 "other, which looks most like real human skin"},
-                {"Instructions", fill_in(protocol.session.texts.instructions, 0, session.trials_planned)},
-                {"StimulusPresentation", presentation(stage)},
-                {"Protocol", protocol.name},
-                {"ProtocolDigest", protocol.digest},
-                {"StimuliManifestDigest", session.stimuli_manifest_digest},
-                {"Seed", session.seed},
-                {"TrialsPlanned", session.trials_planned},
-                {"GreyDuration", protocol.session.grey_s},
-                {"Simulated", stage.observer.has_value()},
-                {"Observer", or_na(stage.observer)},
-                {"Pacing", stage.pacing},
-                {"RefreshRate", or_na(stage.refresh_hz)},
-                {"GLRenderer", stage.gl_renderer},
-                {"ResponseTimeResolution", or_na(stage.key_resolution_s)},
-                {"WorstKeyDelay", "n/a"},
-                {"DroppedFrames", or_na(stage.dropped_frames)},
-                {"TrialsAnswered", 0},
-                {"Complete", false},
-                {"Ending", "running, or ended without notice"}};
-    content_.update(columns());
+Sidecar::Sidecar(fs::path path, const study::Protocol& protocol, const SessionPlan& plan,
+                 const std::string& manifest_digest, const StageFacts& stage)
+    : path_(std::move(path)), content_(plan.sidecar), now_s_(system_clock_s()) {
+    if (!plan.resumes()) {
+        content_ = {{"TaskName", "skin2afc"},
+                    {"TaskDescription",
+                     "Two-alternative forced choice: of two pictures of a face shown one after the "
+                     "other, which looks most like real human skin"},
+                    {"Instructions", fill_in(protocol.session.texts.instructions, 0, plan.schedule.size())},
+                    {"StimulusPresentation", presentation(stage)},
+                    {"Protocol", protocol.name},
+                    {"ProtocolDigest", protocol.digest},
+                    {"StimuliManifestDigest", manifest_digest},
+                    {"Seed", plan.seed},
+                    {"TrialsPlanned", plan.schedule.size()},
+                    {"GreyDuration", protocol.session.grey_s},
+                    {"Simulated", stage.observer.has_value()},
+                    {"Observer", or_na(stage.observer)}};
+    }
+    content_["StimulusPresentation"] = presentation(stage);
+    content_["Pacing"] = stage.pacing;
+    content_["RefreshRate"] = or_na(stage.refresh_hz);
+    content_["GLRenderer"] = stage.gl_renderer;
+    content_["ResponseTimeResolution"] = or_na(stage.key_resolution_s);
+    content_["WorstKeyDelay"] = "n/a";
+    content_["DroppedFrames"] = or_na(stage.dropped_frames);
+    content_["TrialsAnswered"] = plan.answered();
+    content_["Complete"] = false;
+    content_["Ending"] = "running, or ended without notice";
+    if (!plan.resumes()) {
+        content_["Monitor"] = stage.monitor;
+        content_["StimulusWidth"] = or_na(stage.stimulus_width_deg);
+        content_["Consent"] = "n/a";
+        content_["FinishedParticipants"] = plan.finished_participants;
+        content_["Order"] = order_of(plan.schedule);
+        content_["Parts"] = ordered_json::array();
+        content_["Events"] = ordered_json::array();
+        content_["SetAside"] = ordered_json::array();
+        content_.update(columns());
+    }
+    content_["Warnings"] = stage.warnings;
+    begin_part(plan);
+}
+
+/// Note that the session begins or goes on.
+void Sidecar::begin_part(const SessionPlan& plan) {
+    const double clock_s = clock_start_s(plan.log ? plan.log->last_s : 0);
+    ordered_json& parts = content_["Parts"];
+    if (!parts.empty() && now_s_ < parts.back().value("SystemTime", now_s_)) {
+        content_["Events"].push_back(
+            {{"Time", clock_s},
+             {"Trial", plan.answered() + 1},
+             {"Event",
+              "the system's clock was set back since the run was broken off; onsets go on from the last "
+              "answer"}});
+    }
+    if (plan.log && !plan.log->torn.empty()) {
+        content_["SetAside"].push_back(plan.log->torn);
+    }
+    parts.push_back({{"FirstTrial", plan.answered() + 1},
+                     {"StartTime", time_text(now_s_)},
+                     {"SystemTime", now_s_},
+                     {"ClockStart", clock_s},
+                     {"Pacing", content_["Pacing"]},
+                     {"Ending", "running, or ended without notice"}});
+}
+
+double Sidecar::clock_start_s(double last_s) const {
+    const ordered_json parts = content_.value("Parts", ordered_json::array());
+    if (parts.empty() || content_.value("Simulated", false)) {
+        return last_s;
+    }
+    const ordered_json& first = parts.front();
+    return std::max(last_s, now_s_ - first.value("SystemTime", now_s_));
 }
 
 void Sidecar::write() const {
+    support::make_writable_folder(path_.parent_path());
     support::write_atomically(path_,
                               content_.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
 }
 
-void Sidecar::finish(std::size_t answers, const std::string& ending, const StageFacts& stage) {
+void Sidecar::note_consent() { content_["Consent"] = time_text(system_clock_s()); }
+
+void Sidecar::note(const std::vector<Event>& events) {
+    for (const Event& event : events) {
+        content_["Events"].push_back(
+            {{"Time", event.time_s}, {"Trial", event.trial}, {"Event", support::one_line(event.what)}});
+    }
+    write();
+}
+
+void Sidecar::finish(std::size_t answers, const std::string& ending, const StageFacts& stage,
+                     const Timing& timing) {
     content_["WorstKeyDelay"] = or_na(stage.worst_key_delay_s);
     content_["DroppedFrames"] = or_na(stage.dropped_frames);
     content_["TrialsAnswered"] = answers;
     content_["Complete"] = answers == content_["TrialsPlanned"].get<std::size_t>();
     content_["Ending"] = ending;
+    ordered_json& part = content_["Parts"].back();
+    part["Ending"] = ending;
+    part["WorstKeyDelay"] = content_["WorstKeyDelay"];
+    part["DroppedFrames"] = content_["DroppedFrames"];
+    add_spread(part, "GreyError", timing.grey_error_s);
+    add_spread(part, "SaveTime", timing.save_s);
     write();
 }
 

@@ -4,42 +4,50 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 #include <study/protocol.h>
 
+#include "../procedure.h"
+#include "../session_plan.h"
 #include "../stage.h"
 
 namespace experiment {
 
 namespace fs = std::filesystem;
 
-/// What is known of a session before its first trial.
-struct SessionFacts {
-    std::uint64_t seed = 0;
-    std::size_t trials_planned = 0;
-    std::string stimuli_manifest_digest;
-};
-
-/// The JSON file beside a log: how the log came about, and what its columns mean.
+/// The JSON file beside a log: how the log came about, in which order its trials were planned, and what its
+/// columns mean.
 class Sidecar {
 public:
-    Sidecar(fs::path path, const study::Protocol& protocol, const SessionFacts& session,
-            const StageFacts& stage);
+    /// Begin it, or go on with that of a run that was broken off.
+    Sidecar(fs::path path, const study::Protocol& protocol, const SessionPlan& plan,
+            const std::string& manifest_digest, const StageFacts& stage);
 
     /// Write the file, or replace it in one step. Throws support::Failure.
     void write() const;
+    /// Note when the participant agreed to take part.
+    void note_consent();
+    /// Add events and write. Throws support::Failure.
+    void note(const std::vector<Event>& events);
     /// Add what is known at the end and write; `ending` says how the session ended.
-    void finish(std::size_t answers, const std::string& ending, const StageFacts& stage);
+    void finish(std::size_t answers, const std::string& ending, const StageFacts& stage,
+                const Timing& timing);
 
     const nlohmann::ordered_json& content() const { return content_; }
+    /// When the session is gone on with, its clock: seconds since its start, by the system's clock, but not
+    /// before `last_s`.
+    double clock_start_s(double last_s) const;
 
 private:
+    void begin_part(const SessionPlan& plan);
+
     fs::path path_;
     nlohmann::ordered_json content_;
+    double now_s_; // of the system's clock, when this part began
 };
 
 } // namespace experiment

@@ -30,8 +30,6 @@ public:
 
 private:
     void check_kind() const;
-    void check_participants() const;
-    void note_participant(int fd, const std::string& label) const;
 
     fs::path folder_;
     bool simulated_;

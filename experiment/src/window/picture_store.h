@@ -40,6 +40,13 @@ public:
         }
     }
 
+    /// Upload pictures that are there already.
+    explicit PictureStore(const std::map<Stimulus, Pixels>& pictures) {
+        for (const auto& [stimulus, pixels] : pictures) {
+            stimuli_.emplace(stimulus, GpuPicture(pixels));
+        }
+    }
+
     /// Draw a picture into the window's back buffer, and wait until it is there.
     void draw(const Picture& picture, const std::array<int, 2>& framebuffer_size) const;
 

@@ -4,7 +4,7 @@
 #include "window.h"
 
 #include <algorithm>
-#include <utility>
+#include <cctype>
 
 #include <epoxy/gl.h>
 #define GLFW_INCLUDE_NONE
@@ -19,10 +19,7 @@
 namespace experiment {
 namespace {
 
-std::string glfw_reason() {
-    const char* text = nullptr;
-    return glfwGetError(&text) != GLFW_NO_ERROR && text ? text : "no reason given";
-}
+Window* monitored = nullptr; // GLFW tells of monitors without saying whose they are
 
 std::optional<Key> key_of(int glfw_key) {
     switch (glfw_key) {
@@ -54,41 +51,28 @@ void set_hints() {
     glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
 }
 
-void check_size(const char* what, int width, int height, int found_width, int found_height) {
-    if (found_width < width || found_height < height) {
-        throw support::input_error("{}: expected at least the stimulus's {}x{} pixels, found {}x{}", what,
-                                   width, height, found_width, found_height);
-    }
-}
+Window& of(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
 
 } // namespace
 
-Window::Window(int width, int height, bool windowed) {
-    if (glfwInit() == GLFW_FALSE) {
-        throw support::failure("a session needs a display (or --simulate): {}", glfw_reason());
-    }
-    try {
-        open(width, height, windowed);
-    } catch (...) {
-        glfwTerminate();
-        throw;
-    }
+Window::Window(int width, int height, const ScreenOptions& options, const study::KeyChord& leave)
+    : monitor_(monitor_of(options.monitor)), leave_(leave) {
+    open(width, height, options);
 }
 
-void Window::open(int width, int height, bool windowed) {
+void Window::open(int width, int height, const ScreenOptions& options) {
     // Make sure that the monitor can show a stimulus whole.
-    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
-    const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+    const GLFWvidmode* mode = glfwGetVideoMode(monitor_);
     if (!mode) {
         throw support::failure("a session needs a monitor (or --simulate): {}", glfw_reason());
     }
-    check_size("primary monitor", width, height, mode->width, mode->height);
+    check_size("monitor", width, height, mode->width, mode->height);
 
     // Open the window with its context.
     set_hints();
     glfwWindowHint(GLFW_REFRESH_RATE, mode->refreshRate > 0 ? mode->refreshRate : GLFW_DONT_CARE);
-    window_ = windowed ? glfwCreateWindow(width, height, "skin2afc", nullptr, nullptr)
-                       : glfwCreateWindow(mode->width, mode->height, "skin2afc", monitor, nullptr);
+    window_ = options.windowed ? glfwCreateWindow(width, height, "skin2afc", nullptr, nullptr)
+                               : glfwCreateWindow(mode->width, mode->height, "skin2afc", monitor_, nullptr);
     if (!window_) {
         throw support::failure("a window with OpenGL 4.5 core through EGL is needed: {}", glfw_reason());
     }
@@ -99,22 +83,39 @@ void Window::open(int width, int height, bool windowed) {
     glfwSwapInterval(1);
     const auto [framebuffer_width, framebuffer_height] = framebuffer_size();
     check_size("window's framebuffer", width, height, framebuffer_width, framebuffer_height);
+    listen();
+}
 
-    // Listen to the keyboard, and to what uncovers the window.
-    glfwSetInputMode(window_, GLFW_CURSOR, GLFW_CURSOR_HIDDEN);
+/// Listen to the keyboard, and to what may spoil a trial.
+void Window::listen() {
+    hide_pointer();
     glfwSetWindowUserPointer(window_, this);
-    glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int) {
-        static_cast<Window*>(glfwGetWindowUserPointer(window))->on_key(key, action != GLFW_RELEASE);
+    glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int scancode, int action, int modifiers) {
+        of(window).on_key(key, scancode, action, modifiers);
     });
-    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) {
-        static_cast<Window*>(glfwGetWindowUserPointer(window))->damaged_ = true;
+    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { of(window).damaged_ = true; });
+    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* window, int, int) { of(window).changed_ = true; });
+    glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int focused) {
+        of(window).notes_.push_back({monotonic_s(), focused == GLFW_TRUE ? "the window has the keyboard again"
+                                                                         : "the window lost the keyboard"});
+    });
+    monitored = this;
+    glfwSetMonitorCallback([](GLFWmonitor*, int event) {
+        monitored->changed_ = true;
+        monitored->notes_.push_back({monotonic_s(), event == GLFW_DISCONNECTED ? "a monitor was unplugged"
+                                                                               : "a monitor was plugged in"});
     });
 }
 
 Window::~Window() {
-    glfwDestroyWindow(window_);
-    glfwTerminate();
+    glfwSetMonitorCallback(nullptr);
+    monitored = nullptr;
+    if (window_) {
+        glfwDestroyWindow(window_);
+    }
 }
+
+void Window::hide_pointer() const { glfwSetInputMode(window_, GLFW_CURSOR, GLFW_CURSOR_HIDDEN); }
 
 std::array<int, 2> Window::framebuffer_size() const {
     std::array<int, 2> size{};
@@ -123,7 +124,7 @@ std::array<int, 2> Window::framebuffer_size() const {
 }
 
 int Window::reported_hz() const {
-    const GLFWvidmode* mode = glfwGetVideoMode(glfwGetPrimaryMonitor());
+    const GLFWvidmode* mode = glfwGetVideoMode(monitor_);
     return mode ? mode->refreshRate : 0;
 }
 
@@ -141,12 +142,26 @@ void Window::wait_for_back_buffer() {
     glFinish();
 }
 
-void Window::on_key(int key, bool down) {
+/// Whether these are the experimenter's keys, by the letter that is printed on the key.
+bool Window::ends_session(int key, int scancode, int modifiers) const {
+    const char* name = glfwGetKeyName(key, scancode);
+    const auto lower = [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); };
+    const auto holds = [&](int modifier) { return (modifiers & modifier) != 0; };
+    return name && lower(name[0]) == leave_.key && name[1] == '\0' &&
+           holds(GLFW_MOD_CONTROL) == leave_.ctrl && holds(GLFW_MOD_SHIFT) == leave_.shift &&
+           holds(GLFW_MOD_ALT) == leave_.alt;
+}
+
+void Window::on_key(int key, int scancode, int action, int modifiers) {
+    if (action == GLFW_PRESS) {
+        keys_.push_back(key);
+        leaving_ = leaving_ || ends_session(key, scancode, modifiers);
+    }
     const auto meaning = key_of(key);
     if (!meaning) {
         return;
     }
-    if (!down) {
+    if (action == GLFW_RELEASE) {
         gate_.release(key);
     } else if (gate_.press(key)) {
         presses_.push_back({*meaning, monotonic_s()});
@@ -156,9 +171,14 @@ void Window::on_key(int key, bool down) {
 void Window::poll() {
     glfwPollEvents();
     Interruption::check();
-    if (glfwWindowShouldClose(window_) == GLFW_TRUE) {
-        throw Interrupted("the window was closed");
+    if (std::exchange(leaving_, false)) {
+        throw Interrupted(fmt::format("the experimenter ended the session ({})", study::text_of(leave_)));
     }
+}
+
+void Window::clear_presses() {
+    presses_.clear();
+    keys_.clear();
 }
 
 std::optional<Press> Window::pressed(std::initializer_list<Key> keys) const {
@@ -169,6 +189,10 @@ std::optional<Press> Window::pressed(std::initializer_list<Key> keys) const {
     return press == presses_.end() ? std::nullopt : std::optional(*press);
 }
 
-bool Window::take_damage() { return std::exchange(damaged_, false); }
+bool Window::take_close() {
+    const bool asked = glfwWindowShouldClose(window_) == GLFW_TRUE;
+    glfwSetWindowShouldClose(window_, GLFW_FALSE);
+    return asked;
+}
 
 } // namespace experiment

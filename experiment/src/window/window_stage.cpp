@@ -11,7 +11,7 @@
 
 #include <renderer/gl/context.h>
 
-#include "../procedure.h"
+#include "texts.h"
 
 namespace experiment {
 namespace {
@@ -26,33 +26,45 @@ constexpr double rehearsal_s = 0.2; // before a deadline
 constexpr double rehearsal_pause_s = 0.015;
 constexpr double least_rehearsed_s = 0.25; // shorter pictures leave no time for it
 
-/// Refuse texts that would not fit before anything is shown.
-void check_texts(const study::Protocol& protocol, std::size_t trials, const std::array<int, 2>& size) {
-    const study::SessionTexts& texts = protocol.session.texts;
-    for (const auto& [name, text] : {std::pair{"instructions", &texts.instructions},
-                                     std::pair{"trial", &texts.trial}, std::pair{"end", &texts.end}}) {
-        lay_out(fill_in(*text, trials, trials), size[0], size[1],
-                fmt::format("{}: session.texts.{}", protocol.file.string(), name));
+constexpr std::size_t flips_reserved = 10000; // so that none waits for memory
+
+std::string name_of(const Picture& picture) {
+    if (const auto* stimulus = std::get_if<Stimulus>(&picture)) {
+        return study::stimulus_name(stimulus->shader, stimulus->distance, stimulus->azimuth_deg);
     }
+    return std::holds_alternative<Grey>(picture) ? "grey" : "page";
 }
 
 } // namespace
 
-WindowStage::WindowStage(const study::Protocol& protocol, const Schedule& schedule, const StimulusSet& set,
-                         bool windowed)
-    : window_(protocol.image.width, protocol.image.height, windowed),
-      pictures_(load(protocol, schedule, set)) {
-    measure_refresh();
-    renderer::gl::check_errors("opening the session's window");
-}
+WindowStage::WindowStage(const study::Protocol& protocol, std::size_t trials, const StimulusSet& set,
+                         const ScreenOptions& options)
+    : WindowStage(protocol, options, [&](Window& window) {
+          check_texts(protocol, trials, window.framebuffer_size());
+          // Show an empty page while the pictures are loaded.
+          draw_page("", window.framebuffer_size());
+          window.swap();
+          return PictureStore(set, [&] { window.poll(); });
+      }) {}
 
-/// Show an empty page while the pictures are loaded.
-PictureStore WindowStage::load(const study::Protocol& protocol, const Schedule& schedule,
-                               const StimulusSet& set) {
-    check_texts(protocol, schedule.size(), window_.framebuffer_size());
-    draw_page("", window_.framebuffer_size());
-    window_.swap();
-    return PictureStore(set, [this] { window_.poll(); });
+WindowStage::WindowStage(const study::Protocol& protocol, const std::map<Stimulus, Pixels>& pictures,
+                         const ScreenOptions& options)
+    : WindowStage(protocol, options, [&](Window&) { return PictureStore(pictures); }) {}
+
+WindowStage::WindowStage(const study::Protocol& protocol, const ScreenOptions& options, const Load& load)
+    : window_(protocol.image.width, protocol.image.height, options, protocol.session.leave),
+      forms_(window_, form_texts(protocol)),
+      pictures_(load(window_)), least_size_{protocol.image.width, protocol.image.height} {
+    flips_.reserve(flips_reserved);
+    describe_screen(window_.monitor(), protocol, options, screen_);
+    measure_refresh();
+    if (!refresh_.vsync) {
+        screen_.warnings.push_back(
+            fmt::format("swaps do not wait for a refresh (measured {:.0f} Hz, SD {:.1f} ms; "
+                        "the monitor reports {} Hz): the clock paces, and pictures may tear",
+                        refresh_.hz, 1000 * refresh_.sd_s, window_.reported_hz()));
+    }
+    renderer::gl::check_errors("opening the session's window");
 }
 
 void WindowStage::measure_refresh() {
@@ -69,54 +81,95 @@ void WindowStage::measure_refresh() {
     refresh_ = judge_refresh(times_s, window_.reported_hz());
 }
 
+/// Look at keyboard and window once. What takes the screen from the trial disturbs it.
+void WindowStage::look() {
+    window_.poll();
+    if (window_.take_close()) {
+        forms_.confirm_leaving();
+        throw Disturbed("the window was asked to close");
+    }
+    if (window_.take_change()) {
+        wait_out_change();
+        throw Disturbed("the screen changed");
+    }
+}
+
+/// Wait until the framebuffer can hold a picture again.
+void WindowStage::wait_out_change() {
+    for (auto size = window_.framebuffer_size(); size[0] < least_size_[0] || size[1] < least_size_[1];
+         size = window_.framebuffer_size()) {
+        Form form;
+        form.id = "screen";
+        form.text = fmt::format(
+            "The screen has become too small: {} x {} pixels, where the pictures have {} x {}.\n\n"
+            "Please call the experimenter. The session goes on when the screen is as it was.",
+            size[0], size[1], least_size_[0], least_size_[1]);
+        form.next = "Enter: look again";
+        forms_.ask(form);
+    }
+}
+
 /// Look at the window until shortly before the deadline, then do nothing else but wait for it.
 void WindowStage::wait_until_polling(double deadline_s) {
     while (monotonic_s() < deadline_s - quiet_s) {
-        window_.poll();
+        look();
         sleep_until(monotonic_s() + poll_s);
     }
     wait_until(deadline_s);
 }
 
 double WindowStage::show_after(double duration_s, const Picture& picture) {
-    onset_s_ = refresh_.vsync ? show_by_refresh(duration_s, picture) : show_by_clock(duration_s, picture);
+    Flip flip = refresh_.vsync ? show_by_refresh(duration_s, picture) : show_by_clock(duration_s, picture);
+    flip.trial = trial_;
+    flip.picture = name_of(picture);
+    flips_.push_back(flip);
+    dropped_frames_ += flip.missed_frames;
+    onset_s_ = flip.onset_s;
     current_ = picture;
     window_.take_damage(); // all is drawn anew
     renderer::gl::check_errors("showing a picture");
     return onset_s_;
 }
 
-double WindowStage::show_by_refresh(double duration_s, const Picture& picture) {
+Flip WindowStage::show_by_refresh(double duration_s, const Picture& picture) {
     // Have the picture ready in the back buffer before its time.
     pictures_.draw(picture, window_.framebuffer_size());
-    double since_s = monotonic_s();
+    Flip flip;
+    flip.asked_s = monotonic_s();
+    double since_s = flip.asked_s;
     int frames = 1;
     if (duration_s > 0) {
         // Ask for the swap half a period before the refresh that ends the last frame.
         since_s = onset_s_;
         frames = whole_frames(duration_s, refresh_.hz);
+        flip.asked_s = since_s + frames / refresh_.hz;
         wait_until_polling(since_s + (frames - 0.5) / refresh_.hz);
     }
+    flip.called_s = monotonic_s();
     window_.swap();
     window_.wait_for_back_buffer();
-    const double onset_s = monotonic_s();
-    dropped_frames_ += missed_frames(onset_s - since_s, frames, refresh_.hz);
-    return onset_s;
+    flip.onset_s = monotonic_s();
+    flip.missed_frames = missed_frames(flip.onset_s - since_s, frames, refresh_.hz);
+    return flip;
 }
 
-double WindowStage::show_by_clock(double duration_s, const Picture& picture) {
+Flip WindowStage::show_by_clock(double duration_s, const Picture& picture) {
     const double deadline_s = onset_s_ + duration_s;
     if (duration_s > least_rehearsed_s) {
         wait_until_polling(deadline_s - rehearsal_s);
         rehearse(deadline_s - rehearsal_s / 3);
     }
     pictures_.draw(picture, window_.framebuffer_size());
+    Flip flip;
+    flip.asked_s = duration_s > 0 ? deadline_s : monotonic_s();
     if (duration_s > 0) {
         // Begin the swap so early that it ends when the duration does.
         wait_until_polling(deadline_s - swap_duration_s_);
     }
+    flip.called_s = monotonic_s();
     window_.swap();
-    return monotonic_s();
+    flip.onset_s = monotonic_s();
+    return flip;
 }
 
 /// Measure how long a swap takes now by showing again what is shown already; without a refresh to wait for, a
@@ -133,16 +186,27 @@ void WindowStage::rehearse(double until_s) {
     swap_duration_s_ = median(durations_s);
 }
 
+/// Presses of 1 and 2 while a pair's second picture is still to come are no answers.
+void WindowStage::count_early_answers() {
+    if (trial_started_ && window_.pressed({Key::one, Key::two})) {
+        ++early_answers_;
+    }
+}
+
 Press WindowStage::wait_for(std::initializer_list<Key> keys) {
     // Presses before now answered nothing that was asked.
-    window_.poll();
+    look();
+    count_early_answers();
     window_.clear_presses();
+    trial_started_ = std::holds_alternative<Stimulus>(current_) && *keys.begin() == Key::space;
     double last_look_s = monotonic_s();
     while (true) {
-        window_.poll();
+        look();
         const double now_s = monotonic_s();
         worst_key_delay_s_ = std::max(worst_key_delay_s_, now_s - std::exchange(last_look_s, now_s));
         if (const auto press = window_.pressed(keys)) {
+            count_early_answers();
+            window_.clear_presses();
             return *press;
         }
         if (window_.take_damage()) {
@@ -153,8 +217,22 @@ Press WindowStage::wait_for(std::initializer_list<Key> keys) {
     }
 }
 
+FormAnswer WindowStage::ask(const Form& form) { return forms_.ask(form); }
+
+bool WindowStage::tell_trouble(const std::string& message) {
+    Form form;
+    form.kind = Form::Kind::choice;
+    form.id = "trouble";
+    form.text = "Please call the experimenter.\n\n" + message +
+                "\n\nThe last answer is kept in memory until it is saved.";
+    form.choices = {"Try again", "End the session"};
+    form.next = "Enter: confirm";
+    form.missing = "Please press 1 or 2.";
+    return forms_.ask(form).chosen.front() == 0;
+}
+
 StageFacts WindowStage::facts() const {
-    StageFacts facts;
+    StageFacts facts = screen_;
     facts.pacing = refresh_.vsync ? "vsync" : "clock";
     facts.gl_renderer = renderer::gl::driver_info().renderer;
     facts.resolution_px = window_.framebuffer_size();

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include <study/session.h>
+
 namespace study {
 
 namespace fs = std::filesystem;
@@ -142,19 +144,6 @@ struct SceneSettings {
 struct DisplaySettings {
     double width_mm = 0, width_px = 0; ///< of the whole screen
     double distance_mm = 0;            ///< from the eyes to the screen
-};
-
-struct SessionTexts {
-    std::string instructions, trial, end; ///< UTF-8; {trial} and {trials} stand for numbers
-};
-
-struct SessionSettings {
-    std::string reference;          ///< the shader all others are compared against
-    std::vector<std::string> tests; ///< the shaders compared with it
-    bool both_orders = true;        ///< each pair twice, once with either shader first
-    double grey_s = 2;
-    double grey_level = 0.5; ///< of the display signal (sRGB), not of the light
-    SessionTexts texts;
 };
 
 /// A study as its protocol file describes it. protocols/FORMAT.md documents every field.

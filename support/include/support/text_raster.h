@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -16,8 +17,16 @@ struct TextRaster {
     std::vector<std::uint8_t> coverage;
 };
 
-/// Draw one line of UTF-8 text, `size_px` pixels per em, in DejaVu Sans. All lines of a size are equally
-/// high. Bytes that are not UTF-8 and letters that the font lacks show as its box. Throws Failure without the
+/// The fonts that text is drawn in: DejaVu Sans, then, where it is installed, one for the letters that it
+/// lacks, such as those of Chinese, Japanese and Korean. Throws Failure without the first.
+std::vector<std::string> font_files();
+
+/// The first letter of a UTF-8 text that none of the fonts has, as text; empty where there is none. Line
+/// breaks are no letters.
+std::string letter_without_font(std::string_view text);
+
+/// Draw one line of UTF-8 text, `size_px` pixels per em. All lines of a size are equally
+/// high. Bytes that are not UTF-8 and letters that the fonts lack show as a box. Throws Failure without the
 /// font.
 TextRaster text_raster(std::string_view text, int size_px);
 

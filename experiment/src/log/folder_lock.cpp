@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#include "folder_lock.h"
+
+#include <cerrno>
+#include <cstring>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <support/error.h>
+#include <support/file.h>
+
+namespace experiment {
+namespace {
+
+int open_folder(const fs::path& folder) {
+    const int fd = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (fd < 0) {
+        throw support::failure("{}: cannot be opened and locked: {}", folder.string(), std::strerror(errno));
+    }
+    return fd;
+}
+
+/// Lock an open folder; whether it could be had.
+bool lock(int fd, int how, const fs::path& folder) {
+    int result = 0;
+    do {
+        result = ::flock(fd, how);
+    } while (result != 0 && errno == EINTR);
+    if (result != 0 && errno != EWOULDBLOCK) {
+        const int error = errno;
+        ::close(fd);
+        throw support::failure("{}: cannot be locked: {}", folder.string(), std::strerror(error));
+    }
+    return result == 0;
+}
+
+bool is_still_there(int fd) {
+    struct stat status {};
+    return ::fstat(fd, &status) == 0 && status.st_nlink > 0;
+}
+
+} // namespace
+
+FolderLock FolderLock::wait(const fs::path& folder) {
+    const int fd = open_folder(folder);
+    lock(fd, LOCK_EX, folder);
+    return FolderLock(fd);
+}
+
+std::optional<FolderLock> FolderLock::attempt(const fs::path& folder) {
+    while (true) {
+        const auto missing = [](const fs::path& path) {
+            std::error_code ignored;
+            return fs::exists(path, ignored) ? fs::path() : path;
+        };
+        const fs::path made = missing(folder), made_parent = missing(folder.parent_path());
+        support::make_writable_folder(folder.parent_path());
+        support::make_writable_folder(folder);
+        FolderLock held(open_folder(folder));
+        if (!lock(held.fd_, LOCK_EX | LOCK_NB, folder)) {
+            return std::nullopt;
+        }
+        // Another program may have taken the empty folder away between opening and locking.
+        if (is_still_there(held.fd_)) {
+            held.made_ = made;
+            held.made_parent_ = made_parent;
+            return held;
+        }
+    }
+}
+
+FolderLock::~FolderLock() {
+    for (const fs::path& folder : {made_, made_parent_}) {
+        if (!folder.empty()) {
+            ::rmdir(folder.c_str()); // refuses unless it is empty
+        }
+    }
+    if (fd_ >= 0) {
+        ::close(fd_);
+    }
+}
+
+} // namespace experiment

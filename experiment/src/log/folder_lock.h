@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+namespace experiment {
+
+namespace fs = std::filesystem;
+
+/// An exclusive lock on a folder, held while it lives; it goes with the program, however that ends.
+class FolderLock {
+public:
+    /// Wait until no other program holds the folder. Throws support::Failure.
+    static FolderLock wait(const fs::path& folder);
+    /// Nothing where another program holds the folder. Makes the folder where there is none, and takes an
+    /// empty one away again in the end. Throws support::Failure, InputError.
+    static std::optional<FolderLock> attempt(const fs::path& folder);
+
+    FolderLock(FolderLock&& other) noexcept
+        : fd_(std::exchange(other.fd_, -1)), made_(std::exchange(other.made_, fs::path())),
+          made_parent_(std::exchange(other.made_parent_, fs::path())) {}
+    FolderLock& operator=(FolderLock&&) = delete;
+    ~FolderLock();
+
+private:
+    explicit FolderLock(int fd) : fd_(fd) {}
+    int fd_;
+    fs::path made_, made_parent_; // to take away again where it stays empty
+};
+
+} // namespace experiment

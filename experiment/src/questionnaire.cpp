@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#include "questionnaire.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <optional>
+#include <utility>
+
+#include "procedure.h"
+
+namespace experiment {
+namespace {
+
+constexpr int oldest_written = 89; // BIDS: older participants could be found out
+
+std::optional<int> whole_number(const std::string& text) {
+    int value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
+}
+
+Form form_of(const study::SessionSettings& session, std::size_t number) {
+    const study::Question& question = session.questions[number];
+    Form form;
+    switch (question.kind) {
+    case study::QuestionKind::integer:
+        form.kind = Form::Kind::integer;
+        break;
+    case study::QuestionKind::choice:
+        form.kind = Form::Kind::choice;
+        break;
+    case study::QuestionKind::multiple:
+        form.kind = Form::Kind::multiple;
+        break;
+    case study::QuestionKind::text:
+        form.kind = Form::Kind::text;
+        break;
+    }
+    form.id = question.id;
+    form.heading = fill_in(session.texts.question, number + 1, session.questions.size());
+    form.text = question.text;
+    form.choices = question.choices;
+    form.least = question.least;
+    form.most = question.most;
+    form.units = question.units;
+    form.optional = question.optional;
+    form.can_go_back = number > 0;
+    form.next = session.texts.next;
+    form.back = session.texts.back;
+    form.missing = session.texts.missing;
+    return form;
+}
+
+/// A cell of a table holds no tab and no line break.
+std::string one_cell(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; },
+        ' ');
+    const std::size_t start = text.find_first_not_of(' ');
+    return start == std::string::npos ? "" : text.substr(start, text.find_last_not_of(' ') - start + 1);
+}
+
+} // namespace
+
+bool will_do(const Form& form, const FormAnswer& answer) {
+    const bool empty = answer.chosen.empty() && one_cell(answer.text).empty();
+    if (empty || form.kind == Form::Kind::notice) {
+        return form.optional || form.kind == Form::Kind::notice;
+    }
+    if (form.kind != Form::Kind::integer) {
+        return true;
+    }
+    const auto value = whole_number(answer.text);
+    return value && *value >= form.least && *value <= form.most;
+}
+
+std::string written(const study::Question& question, const FormAnswer& answer) {
+    std::string cell;
+    for (const std::size_t place : answer.chosen) {
+        cell += (cell.empty() ? "" : ";") + question.values[place];
+    }
+    if (question.kind == study::QuestionKind::text) {
+        cell = one_cell(answer.text);
+    }
+    if (const auto value = whole_number(answer.text);
+        question.kind == study::QuestionKind::integer && value) {
+        cell = std::to_string(question.id == "age" ? std::min(*value, oldest_written) : *value);
+    }
+    return cell.empty() ? "n/a" : cell;
+}
+
+bool ask_consent(const study::SessionTexts& texts, Stage& stage) {
+    if (texts.consent.empty()) {
+        return true;
+    }
+    Form form;
+    form.kind = Form::Kind::choice;
+    form.id = "consent";
+    form.text = texts.consent;
+    form.choices = {texts.agree, texts.decline};
+    form.next = texts.next;
+    form.missing = texts.missing;
+    return stage.ask(form).chosen.front() == 0;
+}
+
+Answers ask_questions(const study::SessionSettings& session, Stage& stage) {
+    std::vector<FormAnswer> given(session.questions.size());
+    for (std::size_t i = 0; i < given.size();) {
+        Form form = form_of(session, i);
+        form.given = given[i];
+        given[i] = stage.ask(form);
+        i = std::exchange(given[i].back, false) ? i - 1 : i + 1;
+    }
+    Answers answers;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        answers.emplace_back(session.questions[i].id, written(session.questions[i], given[i]));
+    }
+    return answers;
+}
+
+} // namespace experiment

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <study/session.h>
+
+#include "stage.h"
+
+namespace experiment {
+
+/// A participant's answers as they are written, by the questions' ids, in the protocol's order.
+using Answers = std::vector<std::pair<std::string, std::string>>;
+
+/// Ask for consent, where the protocol has a form; whether it was given. Throws Interrupted.
+bool ask_consent(const study::SessionTexts& texts, Stage& stage);
+
+/// Ask the protocol's questions one by one; the participant may go back. Throws Interrupted.
+Answers ask_questions(const study::SessionSettings& session, Stage& stage);
+
+/// An answer as it is written to a table: values of choices, several separated by semicolons; n/a for none;
+/// ages above 89 as 89, which BIDS asks for.
+std::string written(const study::Question& question, const FormAnswer& answer);
+
+} // namespace experiment

@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#include "session_plan.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include <support/error.h>
+#include <support/file.h>
+#include <support/json_depth.h>
+
+#include "log/session_log.h"
+
+namespace experiment {
+namespace {
+
+using nlohmann::ordered_json;
+using support::input_error;
+
+constexpr const char* way_out = "; give --new-run to begin a run of its own";
+
+ordered_json read_sidecar(const fs::path& file) {
+    const std::string text = support::read_text(file);
+    support::check_json_depth(text, file.string());
+    ordered_json content = ordered_json::parse(text, nullptr, false);
+    if (!content.is_object()) {
+        throw input_error("{}: expected a JSON object, found something else or a truncated file{}",
+                          file.string(), way_out);
+    }
+    return content;
+}
+
+/// The order that a sidecar planned; reference and test follow from the protocol.
+Schedule read_order(const ordered_json& sidecar, const study::Protocol& protocol, const fs::path& file) {
+    Schedule schedule;
+    for (const ordered_json& entry : sidecar.at("Order")) {
+        std::istringstream words(entry.is_string() ? entry.get<std::string>() : "");
+        Trial trial;
+        words >> trial.first >> trial.second >> trial.distance >> trial.azimuth_deg;
+        if (!words || !words.eof()) {
+            throw input_error("{}: Order: expected \"FIRST SECOND DISTANCE AZIMUTH_DEG\", found {}{}",
+                              file.string(), support::one_line(entry.dump()).substr(0, 60), way_out);
+        }
+        trial.reference = protocol.session.reference;
+        trial.test = trial.first == trial.reference ? trial.second : trial.first;
+        schedule.push_back(std::move(trial));
+    }
+    return schedule;
+}
+
+/// Refuse to go on with a run under other conditions than it began with.
+void check_same(const ordered_json& sidecar, const fs::path& file, const char* key, const ordered_json& now,
+                std::string_view what) {
+    const ordered_json before = sidecar.value(key, ordered_json());
+    if (before != now) {
+        throw input_error("{}: {}: expected {} that the run began with, {}, found {}{}", file.string(), key,
+                          what, support::one_line(before.dump()).substr(0, 24), now.dump().substr(0, 24),
+                          way_out);
+    }
+}
+
+/// Take over an interrupted run.
+void resume(SessionPlan& plan, const SessionOptions& options, const study::Protocol& protocol,
+            const std::string& manifest_digest, const fs::path& sidecar, const fs::path& log) {
+    check_same(plan.sidecar, sidecar, "ProtocolDigest", protocol.digest, "the protocol");
+    check_same(plan.sidecar, sidecar, "StimuliManifestDigest", manifest_digest, "the stimuli");
+    check_same(plan.sidecar, sidecar, "Observer", options.observer.value_or("n/a"), "the observer");
+    if (options.seed) {
+        check_same(plan.sidecar, sidecar, "Seed", *options.seed, "the seed");
+    }
+    const ordered_json seed = plan.sidecar.value("Seed", ordered_json());
+    if (!seed.is_number_unsigned()) {
+        throw input_error("{}: Seed: expected a whole number, found {}{}", sidecar.string(), seed.dump(),
+                          way_out);
+    }
+    plan.seed = seed.get<std::uint64_t>();
+    check_order(*plan.log, plan.schedule, log);
+    plan.remarks.push_back(fmt::format("run {:02d} was broken off; it goes on at trial {} of {}", plan.run,
+                                       plan.answered() + 1, plan.schedule.size()));
+    if (!plan.log->torn.empty()) {
+        plan.remarks.push_back(fmt::format("{}: its last line was torn and is set aside, in the sidecar: {}",
+                                           log.string(), support::one_line(plan.log->torn)));
+    }
+}
+
+/// Look at the participant's last run; whether the session goes on with it.
+bool take_last_run(SessionPlan& plan, const SessionOptions& options, const study::Protocol& protocol,
+                   const std::string& manifest_digest) {
+    plan.run = last_run(options.study, options.participant);
+    const fs::path log = log_path(options.study, options.participant, plan.run);
+    const fs::path sidecar = fs::path(log).replace_extension(".json");
+    if (plan.run == 0 || options.new_run || !fs::exists(log)) {
+        return false;
+    }
+    const ordered_json content = fs::exists(sidecar) ? read_sidecar(sidecar) : ordered_json();
+    if (content.is_null() && support::read_text(log) == fmt::format("{}\n", log_header)) {
+        // It was broken off before its sidecar was written, and nothing was shown.
+        plan.log = read_log(log);
+        return false;
+    }
+    if (content.is_null() || !content.contains("Order") || !content["Order"].is_array()) {
+        plan.remarks.push_back(
+            fmt::format("{}: has no order of trials in its sidecar and is left as it is", log.string()));
+        return false;
+    }
+    plan.schedule = read_order(content, protocol, sidecar);
+    try {
+        plan.log = read_log(log);
+        if (plan.answered() < plan.schedule.size()) {
+            plan.sidecar = content;
+            resume(plan, options, protocol, manifest_digest, sidecar, log);
+            return true;
+        }
+    } catch (const support::InputError& error) {
+        const std::string reason = error.what();
+        throw support::InputError(reason.ends_with(way_out) ? reason : reason + way_out);
+    }
+    plan.log.reset();
+    plan.remarks.push_back(fmt::format("run {:02d} of this participant is complete; this will be run {:02d}",
+                                       plan.run, plan.run + 1));
+    return false;
+}
+
+/// The trials of a participant's last complete run; none where there is none.
+Schedule finished_run(const fs::path& study, const std::string& label, const study::Protocol& protocol) {
+    for (int run = last_run(study, label); run > 0; --run) {
+        const fs::path log = log_path(study, label, run);
+        const fs::path sidecar = fs::path(log).replace_extension(".json");
+        if (fs::exists(log) && fs::exists(sidecar)) {
+            const LogContent content = read_log(log);
+            const ordered_json planned = read_sidecar(sidecar).value("TrialsPlanned", ordered_json());
+            if (planned.is_number_unsigned() && content.trials.size() >= planned.get<std::size_t>() &&
+                !content.trials.empty() && content.trials[0].reference == protocol.session.reference) {
+                return content.trials;
+            }
+        }
+    }
+    return {};
+}
+
+std::vector<Schedule> finished_by_others(const SessionOptions& options, const study::Protocol& protocol,
+                                         std::vector<std::string>& remarks) {
+    std::vector<Schedule> finished;
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(options.study, none)) {
+        const std::string name = entry.path().filename().string();
+        if (!name.starts_with("sub-") || name == "sub-" + options.participant) {
+            continue;
+        }
+        try {
+            Schedule run = finished_run(options.study, name.substr(4), protocol);
+            if (!run.empty()) {
+                finished.push_back(std::move(run));
+            }
+        } catch (const std::runtime_error& error) {
+            remarks.push_back(fmt::format("{}: its orders are not counted: {}", name, error.what()));
+        }
+    }
+    return finished;
+}
+
+} // namespace
+
+SessionPlan make_plan(const SessionOptions& options, const study::Protocol& protocol,
+                      const std::string& manifest_digest) {
+    SessionPlan plan;
+    if (take_last_run(plan, options, protocol, manifest_digest)) {
+        return plan;
+    }
+    plan.run += plan.log ? 0 : 1;
+    plan.seed = options.seed.value_or(default_seed(protocol, options.participant));
+    plan.schedule = make_schedule(protocol, plan.seed);
+    if (!options.seed) {
+        const auto finished = finished_by_others(options, protocol, plan.remarks);
+        plan.finished_participants = finished.size();
+        plan.schedule = balanced(std::move(plan.schedule), finished);
+    }
+    return plan;
+}
+
+} // namespace experiment

@@ -1,0 +1,307 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#include "form_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "form_style.h"
+#include "pacing.h"
+#include "page.h"
+
+namespace experiment {
+namespace {
+
+constexpr double frame_s = 0.01;      // between two looks at the keyboard
+constexpr float column_share = 0.72F; // of the window's width
+constexpr float top_share = 0.08F;    // of its height
+constexpr float row_em = 1.9F;        // height of a choice over the font's size
+constexpr float line_em = 1.35F;      // from line to line
+constexpr float gap_em = 0.35F;       // between choices
+constexpr float foot_em = 3.2F;       // height of the last line's room
+constexpr int form_flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
+
+Form close_form() {
+    Form form;
+    form.kind = Form::Kind::choice;
+    form.id = "close";
+    form.text =
+        "Someone asked to close this window.\n\nEnd the session? What was answered so far is saved, and the "
+        "session can be gone on with.";
+    form.choices = {"Go on with the session", "End the session"};
+    form.next = "Enter: confirm";
+    form.missing = "Please press 1 or 2.";
+    return form;
+}
+
+/// Text broken at spaces, with more room between its lines than ImGui leaves.
+void draw_lines(const std::string& text, float width) {
+    const ImFont& font = *ImGui::GetFont();
+    const char* const end = text.data() + text.size();
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, (line_em - 1) * font.FontSize});
+    for (const char* line = text.data(); line < end;) {
+        const char* const paragraph = std::find(line, end, '\n');
+        const char* const wrapped =
+            line == paragraph ? line : font.CalcWordWrapPositionA(1, line, paragraph, width);
+        ImGui::TextUnformatted(line, wrapped);
+        // The space or the line's end that it was broken at is not shown.
+        line = wrapped + (wrapped < end && (*wrapped == ' ' || *wrapped == '\n') ? 1 : 0);
+    }
+    ImGui::PopStyleVar();
+}
+
+} // namespace
+
+FormView::FormView(Window& window, const std::vector<std::string>& texts) : window_(window) {
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr; // writes no file of its own
+    ImGui_ImplGlfw_InitForOpenGL(window_.handle(), true);
+    ImGui_ImplOpenGL3_Init("#version 450 core");
+    try {
+        const FormFonts fonts = load_fonts(texts, window_.framebuffer_size()[1]);
+        large_ = fonts.large;
+        small_ = fonts.small;
+    } catch (...) {
+        ImGui_ImplOpenGL3_Shutdown();
+        ImGui_ImplGlfw_Shutdown();
+        ImGui::DestroyContext();
+        throw;
+    }
+    apply_style(large_->FontSize);
+}
+
+FormView::~FormView() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+}
+
+FormAnswer FormView::ask(const Form& form) {
+    window_.clear_presses();
+    const FormAnswer answer = show(form, true);
+    window_.hide_pointer();
+    window_.clear_presses();
+    return answer;
+}
+
+void FormView::confirm_leaving() {
+    if (show(close_form(), false).chosen.front() == 1) {
+        throw Interrupted("the window was closed");
+    }
+    window_.hide_pointer();
+    window_.clear_presses();
+}
+
+FormAnswer FormView::show(const Form& form, bool asks_to_close) {
+    State state{.answer = form.given};
+    ImGui::GetIO().ClearInputCharacters();
+    while (!state.done) {
+        const double start_s = monotonic_s();
+        window_.poll();
+        window_.take_change(); // a form fits itself into any window
+        if (asks_to_close && window_.take_close()) {
+            confirm_leaving();
+        }
+        take_keys(form, state);
+        if (!state.done) {
+            draw(form, state);
+        }
+        sleep_until(start_s + frame_s);
+    }
+    return state.answer;
+}
+
+/// Digits choose, Enter goes on, Page Up goes back.
+void FormView::take_keys(const Form& form, State& state) {
+    // ImGui sees a key only where it is down at a frame: keep a key that was tapped between two frames down
+    // for one.
+    bool* const keys_down = ImGui::GetIO().KeysDown;
+    for (const int key : std::exchange(tapped_, {})) {
+        keys_down[key] = glfwGetKey(window_.handle(), key) == GLFW_PRESS;
+    }
+    for (const int key : window_.take_keys()) {
+        if (key >= 0 && key <= GLFW_KEY_LAST) {
+            keys_down[key] = true;
+            tapped_.push_back(key);
+        }
+        const bool digit = key >= GLFW_KEY_1 && key <= GLFW_KEY_9;
+        const bool keypad = key >= GLFW_KEY_KP_1 && key <= GLFW_KEY_KP_9;
+        if ((digit || keypad) && !form.choices.empty()) {
+            choose(form, static_cast<std::size_t>(key - (digit ? GLFW_KEY_1 : GLFW_KEY_KP_1)), state.answer);
+        } else if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER) {
+            state.done = will_do(form, state.answer);
+            state.refused = !state.done;
+        } else if (key == GLFW_KEY_PAGE_UP && form.can_go_back) {
+            state.answer.back = true;
+            state.done = true;
+        }
+    }
+    keys_down[GLFW_KEY_ESCAPE] = false; // it would empty a text field
+}
+
+void FormView::draw(const Form& form, State& state) {
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+    const auto size = window_.framebuffer_size();
+    width_ = static_cast<float>(size[0]);
+    height_ = static_cast<float>(size[1]);
+    const float column = std::round(column_share * width_);
+    ImGui::SetNextWindowPos({std::round((width_ - column) / 2), std::round(top_share * height_)});
+    ImGui::SetNextWindowSize({column, std::round((1 - 2 * top_share) * height_)});
+    ImGui::Begin("form", nullptr, form_flags);
+    ImGui::PushFont(small_);
+    ImGui::TextColored(dim_ink, "%s", form.heading.c_str());
+    ImGui::PopFont();
+    ImGui::PushFont(large_);
+    const float rest = ImGui::GetContentRegionAvail().y - answer_height(form) - foot_em * large_->FontSize;
+    draw_body(form, rest);
+    draw_answer(form, state);
+    draw_foot(form, state);
+    ImGui::PopFont();
+    ImGui::End();
+    render();
+}
+
+/// The text, as high as it is, or scrolling where there is less room.
+void FormView::draw_body(const Form& form, float height) const {
+    ImGui::Dummy({0, large_->FontSize / 2});
+    const float left = ImGui::GetContentRegionAvail().x;
+    const float lines = ImGui::CalcTextSize(form.text.c_str(), nullptr, false, left).y / large_->FontSize;
+    const float needed = (lines * line_em + 1) * large_->FontSize;
+    const bool whole = form.facts.empty() && form.warnings.empty() && needed < height;
+    ImGui::BeginChild("text", {0, whole ? needed : height}, false, ImGuiWindowFlags_NoNav);
+    draw_lines(form.text, left);
+    ImGui::PushTextWrapPos(0);
+    if (!form.facts.empty()) {
+        ImGui::PushFont(small_);
+        ImGui::Dummy({0, small_->FontSize / 2});
+        for (const auto& [name, value] : form.facts) {
+            ImGui::TextColored(dim_ink, "%s", name.c_str());
+            ImGui::SameLine(name_em * small_->FontSize);
+            ImGui::TextUnformatted(value.c_str());
+        }
+        ImGui::Dummy({0, small_->FontSize / 2});
+        for (const std::string& warning : form.warnings) {
+            ImGui::TextColored(warning_ink, "!");
+            ImGui::SameLine(warning_em * small_->FontSize);
+            ImGui::PushStyleColor(ImGuiCol_Text, warning_ink);
+            ImGui::TextUnformatted(warning.c_str());
+            ImGui::PopStyleColor();
+        }
+        ImGui::PopFont();
+    }
+    ImGui::PopTextWrapPos();
+    // Arrow keys scroll a text that is longer than its room.
+    const float line = ImGui::GetTextLineHeight();
+    for (const auto& [key, by] : {std::pair{GLFW_KEY_DOWN, line}, std::pair{GLFW_KEY_UP, -line}}) {
+        if (ImGui::IsKeyDown(key)) {
+            ImGui::SetScrollY(std::clamp(ImGui::GetScrollY() + by / 4, 0.0F, ImGui::GetScrollMaxY()));
+        }
+    }
+    ImGui::EndChild();
+}
+
+float FormView::answer_height(const Form& form) const {
+    const float font = large_->FontSize;
+    switch (form.kind) {
+    case Form::Kind::notice:
+        return 0;
+    case Form::Kind::choice:
+    case Form::Kind::multiple:
+        return static_cast<float>(form.choices.size()) * (row_em + gap_em) * font + font;
+    default:
+        return 3 * font;
+    }
+}
+
+void FormView::draw_answer(const Form& form, State& state) const {
+    if (form.kind == Form::Kind::choice || form.kind == Form::Kind::multiple) {
+        draw_choices(form, state);
+    } else if (form.kind != Form::Kind::notice) {
+        draw_field(form, state);
+    }
+}
+
+/// One wide button a choice, with its digit; what is chosen is lit.
+void FormView::draw_choices(const Form& form, State& state) const {
+    const float font = large_->FontSize;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, gap_em * font});
+    for (std::size_t i = 0; i < form.choices.size(); ++i) {
+        const auto& chosen = state.answer.chosen;
+        const bool lit = std::find(chosen.begin(), chosen.end(), i) != chosen.end();
+        ImGui::PushStyleColor(ImGuiCol_Button, lit ? accent : field_ground);
+        ImGui::PushStyleColor(ImGuiCol_ButtonHovered, lit ? accent : hovered_ground);
+        ImGui::PushStyleColor(ImGuiCol_Text, lit ? lit_ink : ink);
+        const std::string label = fmt::format("{}   {}##{}", i + 1, form.choices[i], i);
+        if (ImGui::Button(label.c_str(), {ImGui::GetContentRegionAvail().x, row_em * font})) {
+            choose(form, i, state.answer);
+        }
+        ImGui::PopStyleColor(3);
+    }
+    ImGui::PopStyleVar();
+}
+
+void FormView::draw_field(const Form& form, State& state) const {
+    const bool number = form.kind == Form::Kind::integer;
+    ImGui::SetNextItemWidth(number ? number_em * large_->FontSize : ImGui::GetContentRegionAvail().x);
+    if (!ImGui::IsAnyItemActive()) {
+        ImGui::SetKeyboardFocusHere();
+    }
+    ImGui::InputText("##field", &state.answer.text, number ? ImGuiInputTextFlags_CharsDecimal : 0);
+    if (number) {
+        ImGui::SameLine();
+        const std::string range = fmt::format("{} ({} – {})", form.units, form.least, form.most);
+        ImGui::TextColored(dim_ink, "%s", range.c_str());
+    }
+}
+
+/// What the keys do, as buttons for the mouse, and what is wrong with an answer.
+void FormView::draw_foot(const Form& form, State& state) const {
+    const float font = large_->FontSize;
+    ImGui::SetCursorPosY(ImGui::GetWindowHeight() - foot_em * font);
+    ImGui::TextColored(warning_ink, "%s", state.refused ? form.missing.c_str() : "");
+    ImGui::PushFont(small_);
+    const auto width_of = [&](const std::string& label) {
+        return ImGui::CalcTextSize(label.c_str()).x + 2 * font;
+    };
+    ImGui::PushStyleVar(ImGuiStyleVar_ButtonTextAlign, {0.5F, 0.5F});
+    if (form.can_go_back && ImGui::Button(form.back.c_str(), {width_of(form.back), 0})) {
+        state.answer.back = state.done = true;
+    }
+    if (form.can_go_back) {
+        ImGui::SameLine();
+    }
+    ImGui::SetCursorPosX(ImGui::GetWindowWidth() - width_of(form.next));
+    if (ImGui::Button(form.next.c_str(), {width_of(form.next), 0})) {
+        state.done = will_do(form, state.answer);
+        state.refused = !state.done;
+    }
+    ImGui::PopStyleVar();
+    ImGui::PopFont();
+}
+
+void FormView::render() const {
+    ImGui::Render();
+    glViewport(0, 0, static_cast<GLsizei>(width_), static_cast<GLsizei>(height_));
+    const auto ground = static_cast<float>(page_ground);
+    glClearColor(ground, ground, ground, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    window_.swap();
+}
+
+} // namespace experiment

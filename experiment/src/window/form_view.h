@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "../form.h"
+#include "window.h"
+
+struct ImFont;
+
+namespace experiment {
+
+/// Shows forms in a window and takes their answers, by keyboard or mouse.
+class FormView {
+public:
+    /// `texts` hold every letter that forms will show. Throws support::Failure without a font.
+    FormView(Window& window, const std::vector<std::string>& texts);
+    ~FormView();
+    FormView(const FormView&) = delete;
+    FormView& operator=(const FormView&) = delete;
+
+    /// Show a form until it has an answer that will do. Escape does nothing; closing the window asks. Throws
+    /// Interrupted.
+    FormAnswer ask(const Form& form);
+    /// Ask whether the session should end. Throws Interrupted where it should.
+    void confirm_leaving();
+
+private:
+    /// What is on the screen: the answer so far, and whether it was found wanting.
+    struct State {
+        FormAnswer answer = {};
+        bool done = false, refused = false;
+    };
+    FormAnswer show(const Form& form, bool asks_to_close);
+    void draw(const Form& form, State& state);
+    void draw_body(const Form& form, float height) const;
+    void draw_answer(const Form& form, State& state) const;
+    void draw_choices(const Form& form, State& state) const;
+    void draw_field(const Form& form, State& state) const;
+    void draw_foot(const Form& form, State& state) const;
+    float answer_height(const Form& form) const;
+    void take_keys(const Form& form, State& state);
+    void render() const;
+
+    Window& window_;
+    std::vector<int> tapped_; // since the last frame but one
+    ImFont *large_ = nullptr, *small_ = nullptr;
+    float width_ = 0, height_ = 0; // of the framebuffer, px
+};
+
+} // namespace experiment

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#include "texts.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <support/error.h>
+#include <support/text_raster.h>
+
+#include "../procedure.h"
+#include "page.h"
+
+namespace experiment {
+namespace {
+
+void check_letters(const std::string& text, const std::string& field) {
+    if (const std::string letter = support::letter_without_font(text); !letter.empty()) {
+        throw support::input_error(
+            "{}: expected letters that the fonts have, found \"{}\"; Chinese, Japanese and "
+            "Korean need the Debian package fonts-droid-fallback",
+            field, letter);
+    }
+}
+
+} // namespace
+
+void check_texts(const study::Protocol& protocol, std::size_t trials, const std::array<int, 2>& size) {
+    const study::SessionTexts& texts = protocol.session.texts;
+    const auto field = [&](const std::string& name) {
+        return fmt::format("{}: session.{}", protocol.file.string(), name);
+    };
+    // A key that came too early is told of below the next page.
+    const std::string early = "\n\n" + texts.early;
+    for (const auto& [name, text] :
+         {std::pair{"instructions", texts.instructions}, std::pair{"practice", texts.practice + early},
+          std::pair{"practice_end", texts.practice_end + early}, std::pair{"trial", texts.trial + early},
+          std::pair{"pause", texts.pause}, std::pair{"declined", texts.declined},
+          std::pair{"end", texts.end}}) {
+        const std::string at = field(std::string("texts.") + name);
+        check_letters(text, at);
+        lay_out(fill_in(text, trials, trials), size[0], size[1], at);
+    }
+    for (const auto& [name, text] :
+         {std::pair{"consent", texts.consent}, std::pair{"agree", texts.agree},
+          std::pair{"decline", texts.decline}, std::pair{"next", texts.next}, std::pair{"back", texts.back},
+          std::pair{"question", texts.question}, std::pair{"missing", texts.missing}}) {
+        check_letters(text, field(std::string("texts.") + name));
+    }
+    for (std::size_t i = 0; i < protocol.session.questions.size(); ++i) {
+        const study::Question& question = protocol.session.questions[i];
+        check_letters(question.text, field(fmt::format("questions[{}].text", i)));
+        for (const std::string& choice : question.choices) {
+            check_letters(choice, field(fmt::format("questions[{}].choices", i)));
+        }
+    }
+}
+
+std::vector<std::string> form_texts(const study::Protocol& protocol) {
+    const study::SessionTexts& texts = protocol.session.texts;
+    std::vector<std::string> all{protocol.title, texts.consent, texts.agree,    texts.decline,
+                                 texts.next,     texts.back,    texts.question, texts.missing};
+    for (const study::Question& question : protocol.session.questions) {
+        all.push_back(question.text + question.units);
+        all.insert(all.end(), question.choices.begin(), question.choices.end());
+    }
+    return all;
+}
+
+} // namespace experiment
