@@ -11,6 +11,7 @@
 #include <stats/two_groups.h>
 
 #include "labels.h"
+#include "order_strata.h"
 
 namespace stats {
 namespace {
@@ -23,6 +24,7 @@ ParticipantQuality quality_of(const Run& run) {
     result.trials = run.log.trials.size();
     result.dropped_frames = run.sidecar.dropped_frames;
     std::vector<double> times_s;
+    OrderStrata strata;
     for (const Trial& trial : run.log.trials) {
         if (!trial.reference_chosen) {
             ++result.missing;
@@ -30,6 +32,7 @@ ParticipantQuality quality_of(const Run& run) {
         }
         Tally& tally = trial.reference_first ? result.order.reference_first : result.order.reference_second;
         ++tally.n;
+        strata.add(trial);
         tally.reference_chosen += *trial.reference_chosen ? 1 : 0;
         result.errors += *trial.reference_chosen ? 0 : 1;
         if (trial.response_time_s) {
@@ -39,6 +42,9 @@ ParticipantQuality quality_of(const Run& run) {
     }
     std::sort(times_s.begin(), times_s.end());
     result.median_response_time_s = quantile(times_s, 0.5);
+    result.both_orders = in_both_orders(strata.tallies());
+    result.first_interval = first_interval(strata.tallies());
+    result.p_order = order_p(result.both_orders);
     result.p_first = binomial_two_sided_p(result.order.first_chosen(), result.order.n());
     return result;
 }
@@ -66,12 +72,12 @@ void add_counts(std::vector<std::string>& notes, std::vector<std::string> items,
 bool ParticipantQuality::always_same_interval() const {
     constexpr std::int64_t enough = 10; // 1 in 500 by chance
     const std::int64_t first = order.first_chosen(), n = order.n();
-    return n >= enough && (first == 0 || first == n);
+    return both_orders.n() >= enough && (first == 0 || first == n);
 }
 
 bool ParticipantQuality::favours_interval() const {
     constexpr double lopsided = 0.001;
-    return !always_same_interval() && p_first < lopsided;
+    return !always_same_interval() && p_order < lopsided;
 }
 
 std::vector<ParticipantQuality> participant_quality(const Study& study) {
@@ -105,7 +111,7 @@ std::vector<std::string> quality_notes(const Study& study, std::span<const Parti
         runs_dropping += one.dropped_frames.value_or(0) > 0 ? 1 : 0;
     }
     add_counts(notes, std::move(always), "Always chose the same interval, kept");
-    add_counts(notes, std::move(favours), "Favour one interval (p < 0.001), kept");
+    add_counts(notes, std::move(favours), "Favour one interval, whatever it showed (p < 0.001), kept");
     if (dropped > 0) {
         notes.push_back(fmt::format("Dropped frames: {} in {} runs.", dropped, runs_dropping));
     }
@@ -118,16 +124,17 @@ std::vector<std::string> quality_notes(const Study& study, std::span<const Parti
 
 std::string to_tsv(std::span<const ParticipantQuality> participants, bool simulated) {
     std::string text = "participant_id\tfile\tcomplete\ttrials\tmissing\tunder_300_ms\terrors\tfirst_chosen\t"
-                       "p_first\tflag\trt_median\tdropped_frames\tsimulated\n";
+                       "p_first\tflag\trt_median\tdropped_frames\tsimulated\tp_order\n";
     for (const ParticipantQuality& one : participants) {
         const std::string_view flag = one.always_same_interval() ? "always_same_interval"
                                       : one.favours_interval()   ? "favours_interval"
                                                                  : "n/a";
         text +=
-            fmt::format("sub-{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\n", one.participant, one.file,
-                        one.complete, one.trials, one.missing, one.fast, one.errors, one.order.first_chosen(),
-                        exact(one.p_first), flag, exact(one.median_response_time_s),
-                        one.dropped_frames ? fmt::format("{}", *one.dropped_frames) : "n/a", simulated);
+            fmt::format("sub-{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\n", one.participant,
+                        one.file, one.complete, one.trials, one.missing, one.fast, one.errors,
+                        one.order.first_chosen(), exact(one.p_first), flag, exact(one.median_response_time_s),
+                        one.dropped_frames ? fmt::format("{}", *one.dropped_frames) : "n/a", simulated,
+                        one.both_orders.n() > 0 ? exact(one.p_order) : "n/a");
     }
     return text;
 }

@@ -177,6 +177,12 @@ TEST(AnalyseTest, boundsAreTheUsers) {
                  support::InputError);
     EXPECT_THROW(analyse({folder.path().string(), "--out", out.string(), "--bounds", "0,1"}),
                  CLI::ValidationError);
+    // Bounds that leave out half and half would call a preference no preference.
+    for (const char* bounds : {"0.6,0.9", "0.1,0.4", "0.5,0.6"}) {
+        EXPECT_THROW(analyse({folder.path().string(), "--out", out.string(), "--bounds", bounds}),
+                     support::InputError)
+            << bounds;
+    }
 }
 
 TEST(AnalyseTest, powerNeedsNoLogs) {
@@ -189,6 +195,11 @@ TEST(AnalyseTest, powerNeedsNoLogs) {
     EXPECT_TRUE(read_file(out / "power.tsv").starts_with("participants\ttrials\tproportion\tspread\tpower"));
 }
 
+TEST(AnalyseTest, powerTakesNoStudy) {
+    const StudyFolder folder;
+    EXPECT_THROW(analyse({folder.path().string(), "--power"}), support::InputError);
+}
+
 TEST(AnalyseTest, studyAndOutAreRequiredOtherwise) {
     EXPECT_THROW(analyse({"--out", "x"}), CLI::RequiredError);
     EXPECT_THROW(analyse({"x"}), CLI::RequiredError);
@@ -199,7 +210,7 @@ TEST(AnalyseTest, oneAnswerIsEnough) {
     folder.write_log("01", log_text("r"));
     const fs::path out = folder.path() / "out";
     const std::string text = analyse(folder.path(), out);
-    EXPECT_NE(text.find("undecided"), std::string::npos);
+    EXPECT_NE(text.find("cannot be tested: with 1 participant,"), std::string::npos);
     const auto row = nlohmann::json::parse(read_file(out / "summary.json"))["shaders"][0];
     EXPECT_EQ(row["p_sign_flip"], 1);
     EXPECT_EQ(row["mixed_intercept"], nullptr);

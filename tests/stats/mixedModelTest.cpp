@@ -120,6 +120,18 @@ TEST(MixedModelTest, theOtherShaderHasTheOppositeEstimate) {
     EXPECT_NEAR(opposite.p, model.p, 1e-9);
 }
 
+TEST(MixedModelTest, participantsOfOneMindDoNotHideTheSummit) {
+    // Six of nine always chose the reference, one never: steep, but with a summit. R: the likelihood summed
+    // in steps of .01 over u in [-12, 12], its top by optim() and its curvature by optimHess().
+    const Tallies extreme{{6, 6}, {6, 6}, {1, 1}, {6, 5}, {1, 1}, {6, 6}, {6, 0}, {6, 6}, {6, 6}};
+    const auto model = fit_mixed_model(extreme).value();
+    EXPECT_NEAR(model.intercept, 7.557, 5e-4);
+    EXPECT_NEAR(model.sd, 7.192, 5e-4);
+    EXPECT_NEAR(model.standard_error, 6.594, 5e-4);
+    EXPECT_NEAR(model.log_likelihood, -8.893, 5e-4);
+    EXPECT_NEAR(model.log_likelihood, naive_log_likelihood(extreme, model.intercept, model.sd), 1e-9);
+}
+
 TEST(MixedModelTest, whatHasNoEstimateGivesNone) {
     EXPECT_FALSE(fit_mixed_model({}));
     EXPECT_FALSE(fit_mixed_model(Tallies{{18, 9}}));                // one participant
