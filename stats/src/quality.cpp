@@ -4,6 +4,7 @@
 #include <stats/quality.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -67,6 +68,38 @@ void add_counts(std::vector<std::string>& notes, std::vector<std::string> items,
     }
 }
 
+/// What a run that counts has that its protocol would not give: more trials, gaps in their numbers, answers
+/// that took longer than any session.
+void add_irregular_runs(std::vector<std::string>& notes, const Study& study) {
+    constexpr double longest_s = 3600;
+    std::vector<std::string> extra, gaps, slow;
+    for (const Run& run : study.runs) {
+        const auto& trials = run.log.trials;
+        if (!run.used || trials.empty()) {
+            continue;
+        }
+        if (trials.size() > run.trials_expected) {
+            extra.push_back(
+                fmt::format("sub-{} ({}, not {})", run.participant, trials.size(), run.trials_expected));
+        }
+        const auto last = std::max_element(
+            trials.begin(), trials.end(), [](const Trial& a, const Trial& b) { return a.number < b.number; });
+        if (last->number > static_cast<std::int64_t>(trials.size())) {
+            gaps.push_back(fmt::format("sub-{} ({} trials, the last number {})", run.participant,
+                                       trials.size(), last->number));
+        }
+        const auto slow_ones = std::count_if(trials.begin(), trials.end(), [](const Trial& trial) {
+            return trial.response_time_s.value_or(0) > longest_s;
+        });
+        if (slow_ones > 0) {
+            slow.push_back(fmt::format("sub-{} ({} of {})", run.participant, slow_ones, trials.size()));
+        }
+    }
+    add_counts(notes, std::move(extra), "More trials than planned, kept");
+    add_counts(notes, std::move(gaps), "Numbers of trials are missing");
+    add_counts(notes, std::move(slow), "Answers after more than an hour, kept");
+}
+
 } // namespace
 
 bool ParticipantQuality::always_same_interval() const {
@@ -94,6 +127,11 @@ std::vector<std::string> quality_notes(const Study& study, std::span<const Parti
     std::vector<std::string> notes;
     add_counts(notes, counted(participants, [](const auto& p) { return p.missing; }),
                "Trials without an answer, left out");
+    const bool timed = std::any_of(participants.begin(), participants.end(),
+                                   [](const auto& one) { return !std::isnan(one.median_response_time_s); });
+    if (!timed) {
+        notes.push_back("Response times are not recorded: answers under 300 ms cannot be told.");
+    }
     add_counts(notes, counted(participants, [](const auto& p) { return p.fast; }),
                fmt::format("Answers within {:.0f} ms of the second picture, kept", 1000 * fast_answer_s));
     std::vector<std::string> always, favours;
@@ -115,6 +153,7 @@ std::vector<std::string> quality_notes(const Study& study, std::span<const Parti
     if (dropped > 0) {
         notes.push_back(fmt::format("Dropped frames: {} in {} runs.", dropped, runs_dropping));
     }
+    add_irregular_runs(notes, study);
     if (study.protocols > 1) {
         notes.push_back(
             fmt::format("Runs of {} different protocol files are taken together.", study.protocols));

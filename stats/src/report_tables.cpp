@@ -182,10 +182,11 @@ std::string shaders_html(const Analysis& analysis) {
                         group.figures});
     }
     return paragraph(
-               fmt::format("Each shader over all conditions, by distance and by azimuth. Holm and "
-                           "Benjamini\u2013Hochberg run over the {} rows of the table. Marked: p above {}. "
-                           "shaders.tsv has every digit.",
-                           analysis.groups.size(), alpha),
+               fmt::format(
+                   "Each shader over all conditions, by distance and by azimuth. Corrected over the {} rows "
+                   "of the table: the sign-flip p by Holm, the chi-square's p by Holm and "
+                   "Benjamini\u2013Hochberg; no other p. Marked: p above {}. shaders.tsv has every digit.",
+                   analysis.groups.size(), alpha),
                "note") +
            both_tables({"Shader", "Verdict"}, 1, rows);
 }
@@ -200,8 +201,9 @@ std::string conditions_html(const Analysis& analysis) {
     }
     return paragraph(
                fmt::format(
-                   "Holm and Benjamini\u2013Hochberg run over the {} rows of the table. Marked: p above "
-                   "{}. table2.tsv has every digit.",
+                   "Corrected over the {} rows of the table: the sign-flip p by Holm, the chi-square's p by "
+                   "Holm and "
+                   "Benjamini\u2013Hochberg; no other p. Marked: p above {}. table2.tsv has every digit.",
                    analysis.rows.size(), alpha),
                "note") +
            both_tables({"Configuration", "Test"}, 2, rows);

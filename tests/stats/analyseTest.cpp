@@ -104,6 +104,15 @@ TEST(AnalyseTest, aFileInTheFoldersPlaceIsRefused) {
     EXPECT_EQ(read_file(folder.path() / "out"), "mine");
 }
 
+TEST(AnalyseTest, aFolderInAFilesPlaceIsRefusedBeforeAnythingIsWritten) {
+    const StudyFolder folder;
+    folder.write_log("01", log_text("r"));
+    const fs::path out = folder.path() / "out";
+    fs::create_directories(out / "table2.tsv");
+    EXPECT_THROW(analyse(folder.path(), out), support::InputError);
+    EXPECT_EQ(files_in(out), 1u);
+}
+
 TEST(AnalyseTest, aMissingGnuplotIsOneClearFailure) {
     const StudyFolder folder;
     folder.write_log("01", log_text("r"));

@@ -93,4 +93,27 @@ TEST(QualityTest, addsUpDroppedFrames) {
         << text;
 }
 
+TEST(QualityTest, irregularRunsAreNamed) {
+    const StudyFolder folder;
+    folder.write_log("01", log_text("rtrt"));
+    folder.write_sidecar("01", R"({"TrialsPlanned": 2})");
+    folder.write_log("02", log_header + log_line(1, 'r') + log_line(7, 't'));
+    folder.write_sidecar("02", R"({"TrialsPlanned": 2})");
+    folder.write_log("03", log_header + timed(1, 'r', "1e9") + timed(2, 'r', "3600"));
+    folder.write_sidecar("03", R"({"TrialsPlanned": 2})");
+    const auto study = stats::read_study(folder.path());
+    const auto notes = quality_notes(study, participant_quality(study));
+    EXPECT_TRUE(any(notes, "More trials than planned, kept: sub-01 (4, not 2)."));
+    EXPECT_TRUE(any(notes, "Numbers of trials are missing: sub-02 (2 trials, the last number 7)."));
+    EXPECT_TRUE(any(notes, "Answers after more than an hour, kept: sub-03 (1 of 2)."));
+    EXPECT_FALSE(any(notes, "not recorded"));
+}
+
+TEST(QualityTest, timesThatAreNotRecordedAreNotFast) {
+    const StudyFolder folder;
+    folder.write_log("01", log_header + timed(1, 'r', "n/a") + timed(2, 't', "n/a"));
+    const auto study = stats::read_study(folder.path());
+    EXPECT_TRUE(any(quality_notes(study, participant_quality(study)), "Response times are not recorded"));
+}
+
 } // namespace

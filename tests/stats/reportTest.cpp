@@ -65,6 +65,12 @@ TEST(ReportTest, isOneSelfContainedPage) {
               html.find("<table")); // the answer comes first
 }
 
+TEST(ReportTest, narrowScreensAreToldToScroll) {
+    const StudyFolder folder;
+    folder.write_log("01", log_text("rt"));
+    EXPECT_NE(report_of(folder).find("content: \"Scroll sideways"), std::string::npos);
+}
+
 TEST(ReportTest, marksTheNonSignificantCells) {
     // Table II has 36 cells, of which the paper sets 11 p-values (and their chi-values) in bold.
     const StudyFolder folder;

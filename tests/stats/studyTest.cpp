@@ -159,6 +159,8 @@ TEST(StudyTest, badSidecarsNameFileAndField) {
         {R"({"TrialsPlanned": 18446744073709551615})", "TrialsPlanned"},
         {R"({"TrialsPlanned": [[2]]})", "found array"},
         {R"({"DroppedFrames": -1})", "DroppedFrames: expected a whole number from 0 on, found -1"},
+        {R"({"DroppedFrames": 9223372036854775807})",
+         "DroppedFrames: expected a whole number from 0 on and at most"},
         {R"({"ProtocolDigest": 7})", "ProtocolDigest: expected a text, found 7"},
         {R"({"Simulated": "no"})", "Simulated: expected true or false, found \"no\""},
     };

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "labels.h"
 #include "outcome.h"
 #include "study_folder.h"
 
@@ -139,6 +140,13 @@ TEST(VerdictsTest, tooFewParticipantsCannotBeTested) {
                         counts.size(), counts.size() == 1 ? "" : "s"));
         EXPECT_EQ(verdict_words(analysis.groups.front(), {}), "cannot be tested");
     }
+}
+
+TEST(VerdictsTest, aPAboveTheLevelIsNotShownAsTheLevel) {
+    EXPECT_EQ(stats::p_phrase(0.0501), "= 0.0501");
+    EXPECT_EQ(stats::p_phrase(0.05001), "just above 0.05");
+    EXPECT_EQ(stats::p_phrase(0.05), "= 0.050");
+    EXPECT_EQ(stats::p_phrase(0.0505), "= 0.051");
 }
 
 TEST(VerdictsTest, sixParticipantsAreTheFewest) {
