@@ -130,7 +130,7 @@ TEST(AnalyseTest, figureShowsEveryShaderAndPlace) {
     folder.write_published_logs();
     const std::string svg = stats::figure8(make_table(stats::read_study(folder.path())), "");
     for (const char* part : {"No SSS", "SS Jittered", "SS Full", "0\u00b0", "150\u00b0", "Far", "Near",
-                             "Zoom", "Proportion choosing TS"}) {
+                             "Zoom", "Proportion choosing TS", "pooled Wilson 95 %"}) {
         EXPECT_NE(svg.find(part), std::string::npos) << part;
     }
     // 3 shaders at 4 azimuths and 3 distances, and 3 in the legend; each marker has its shape's number.

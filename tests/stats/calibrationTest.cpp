@@ -183,7 +183,7 @@ TEST(CalibrationTest, holmsMethodKeepsTheFamilysLevel) {
         for (int test = 0; test < 12; ++test) {
             std::vector<stats::Tally> tallies;
             for (int i = 0; i < 16; ++i) {
-                tallies.push_back(participant(generator, 8, 0, 0.5));
+                tallies.push_back(participant(generator, 36, 0, 0.5));
             }
             p.push_back(stats::sign_flip(tallies).p);
         }
