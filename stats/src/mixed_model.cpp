@@ -43,15 +43,22 @@ struct Peak {
 Peak peak_of(const Tally& tally, double intercept, double sd) {
     const auto n = static_cast<double>(tally.n), k = static_cast<double>(tally.reference_chosen);
     Peak peak;
-    constexpr int most_steps = 100;
+    // The slope falls from 0 or more at `low` to 0 or less at `high`. Newton's step where it stays between
+    // them, else half the way: a steep participant would throw it from side to side.
+    double low = -sd * (n - k), high = sd * k;
+    constexpr int most_steps = 200;
     for (int step = 0; step < most_steps; ++step) {
         const double mu = logistic(intercept + sd * peak.mode);
         const double slope = sd * (k - n * mu) - peak.mode, curvature = 1 + sd * sd * n * mu * (1 - mu);
         peak.scale = 1 / std::sqrt(curvature);
-        // The function is concave; a bounded step cannot run away where it is nearly flat.
-        const double change = std::clamp(slope / curvature, -1.0, 1.0);
-        peak.mode += change;
-        if (std::abs(change) < 1e-12) {
+        (slope > 0 ? low : high) = peak.mode;
+        double next = peak.mode + slope / curvature;
+        if (!(low <= next && next <= high)) {
+            next = (low + high) / 2;
+        }
+        const double change = std::abs(next - peak.mode);
+        peak.mode = next;
+        if (change < 1e-12 * std::max(1.0, std::abs(next))) {
             break;
         }
     }

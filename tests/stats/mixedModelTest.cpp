@@ -132,6 +132,15 @@ TEST(MixedModelTest, participantsOfOneMindDoNotHideTheSummit) {
     EXPECT_NEAR(model.log_likelihood, naive_log_likelihood(extreme, model.intercept, model.sd), 1e-9);
 }
 
+TEST(MixedModelTest, aSteepParticipantsPeakIsFound) {
+    // Of nine, only one wavers: the spread is vast. R, as above: 5.99073, 10.795, 22.73836.
+    const Tallies steep{{24, 24}, {24, 7}, {24, 24}, {13, 13}, {24, 0}, {23, 0}, {24, 0}, {5, 5}, {4, 4}};
+    const auto model = fit_mixed_model(steep).value();
+    EXPECT_NEAR(model.intercept, 5.99073, 1e-3);
+    EXPECT_NEAR(model.standard_error, 10.795, 1e-2); // numerical derivatives
+    EXPECT_NEAR(model.sd, 22.73836, 1e-3);
+}
+
 TEST(MixedModelTest, whatHasNoEstimateGivesNone) {
     EXPECT_FALSE(fit_mixed_model({}));
     EXPECT_FALSE(fit_mixed_model(Tallies{{18, 9}}));                // one participant
