@@ -29,7 +29,7 @@ std::string numbers(const Figures& figures) {
     std::string text;
     if (on_difference(figures)) {
         text = fmt::format("difference: pooled p {}, sign-flip p {}", p_phrase(figures.chi_square.p),
-                           p_phrase(level.sign_flip.p));
+                           sign_flip_phrase(level.sign_flip));
     }
     if (on_equivalence(figures)) {
         text += fmt::format("{}equivalence: pooled p {}, over participants {}", text.empty() ? "" : "; ",

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "labels.h"
+
 namespace stats {
 namespace {
 
@@ -52,6 +54,11 @@ std::size_t fewest_participants(std::size_t tests) {
         ++count;
     }
     return count;
+}
+
+std::string sign_flip_phrase(const SignFlip& flip) {
+    return p_phrase(flip.p) +
+           (flip.exact ? "" : fmt::format(" (drawn at random, standard error {:.2g})", flip.standard_error));
 }
 
 std::string participants_text(std::size_t count) {

@@ -31,6 +31,10 @@ Outcome outcome_of(const Figures& figures);
 /// The fewest participants whose sign-flip test can be significant by Holm's method over so many tests.
 std::size_t fewest_participants(std::size_t tests);
 
+/// The sign-flip p for running text, with its standard error where it was drawn: "= 0.168",
+/// "= 0.064 (drawn at random, standard error 0.0011)".
+std::string sign_flip_phrase(const SignFlip& flip);
+
 /// "1 participant", "16 participants".
 std::string participants_text(std::size_t count);
 

@@ -154,7 +154,7 @@ std::string evidence(const GroupRow& pair, std::size_t tests) {
     text +=
         fmt::format(". Participants as the sample: sign-flip p {}, by Holm's method over the {} rows of the "
                     "shaders' table p {}; equivalence {}; {}",
-                    p_phrase(level.sign_flip.p), tests, p_phrase(level.p_holm),
+                    sign_flip_phrase(level.sign_flip), tests, p_phrase(level.p_holm),
                     level.p_equivalence ? "p " + p_phrase(*level.p_equivalence) : "cannot be tested",
                     mixed_text(level.mixed));
     return text + fmt::format(". As if all answers were independent (pooled): Wilson 95 % interval {:.1f} to "
@@ -228,7 +228,7 @@ std::string order_sentence(const Analysis& analysis) {
     if (bias->participants < fewest_participants(1)) {
         return text + fmt::format(": too few to test; it takes {}.", fewest_participants(1));
     }
-    return text + fmt::format(" (sign-flip p {}): {}.", p_phrase(bias->sign_flip.p),
+    return text + fmt::format(" (sign-flip p {}): {}.", sign_flip_phrase(bias->sign_flip),
                               bias->sign_flip.p > alpha ? "no bias to either interval is shown"
                               : bias->first_share > 0.5 ? "a bias to the first interval"
                                                         : "a bias to the second interval");

@@ -217,9 +217,12 @@ TEST(VerdictsTest, aDrawnPNearTheLevelDecidesNothing) {
     figures.participant.p_holm = 0.048; // three times as large, and so is its error of .0018
     EXPECT_EQ(stats::outcome_of(figures).kind, stats::Outcome::Kind::undecided);
     EXPECT_NE(stats::outcome_of(figures).why.find("within three standard errors of 0.05"), std::string::npos);
+    EXPECT_EQ(stats::sign_flip_phrase(figures.participant.sign_flip),
+              "= 0.016 (drawn at random, standard error 0.0006)");
     figures.participant.sign_flip.standard_error = 0.0001;
     EXPECT_TRUE(stats::outcome_of(figures).differs());
     figures.participant.sign_flip = {0.016, 0, true};
+    EXPECT_EQ(stats::sign_flip_phrase(figures.participant.sign_flip), "= 0.016");
     EXPECT_TRUE(stats::outcome_of(figures).differs());
 }
 
