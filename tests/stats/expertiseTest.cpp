@@ -71,7 +71,7 @@ TEST(ExpertiseTest, findsItsColumnsInEitherFile) {
 TEST(ExpertiseTest, denialsAreNoExpertise) {
     const StudyFolder folder;
     write_participants(folder);
-    folder.write("participants.tsv", "participant_id\texpertise\nsub-01\tn\nsub-02\tno \nsub-03\tNone of it\n"
+    folder.write("participants.tsv", "participant_id\texpertise\nsub-01\t n\nsub-02\tno \nsub-03\tNone of it\n"
                                      "sub-04\tno, not really\nsub-05\tnotation\nsub-06\t y \n");
     const auto questions = stats::read_expertise(folder.path());
     ASSERT_EQ(questions.size(), 1u);

@@ -249,6 +249,7 @@ TEST(StudyTest, abortedRunsDoNotChooseTheProtocol) {
     const Study study = read_study(folder.path(), {true, false});
     EXPECT_EQ(used_runs(study), "01:4 02:1 ");
     EXPECT_EQ(study.bad_files.size(), 3u);
+    EXPECT_EQ(read_study(folder.path(), {false, true}).protocols, 1u); // of those that count
 }
 
 TEST(StudyTest, aRunsNumberIsItsOwn) {
