@@ -149,9 +149,10 @@ std::string table2_html(const Analysis& analysis) {
     const Grid grid = paper_grid(analysis.rows);
     const bool with_n = !grid.n;
     std::string html = paragraph(
-        fmt::format("Chi-square of the answers against half and half (df = 1, level of significance {}{}). "
-                    "Marked and with a star: no significant difference (p > {}).",
-                    alpha, grid.n ? fmt::format(", n = {} answers a condition", *grid.n) : "", alpha),
+        fmt::format(
+            "As the paper tests: chi-square of all answers, pooled, against half and half (df = 1, level of "
+            "significance {}{}). Marked and with a star: no significant difference (p > {}).",
+            alpha, grid.n ? fmt::format(", n = {} answers a condition", *grid.n) : "", alpha),
         "note");
     html += "<div class=\"scroll\"><table class=\"table2\">\n<thead><tr><th></th>";
     std::string columns = "<tr><th scope=\"col\">Configuration</th>";

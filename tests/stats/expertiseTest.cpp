@@ -71,8 +71,9 @@ TEST(ExpertiseTest, findsItsColumnsInEitherFile) {
 TEST(ExpertiseTest, denialsAreNoExpertise) {
     const StudyFolder folder;
     write_participants(folder);
-    folder.write("participants.tsv", "participant_id\texpertise\nsub-01\t n\nsub-02\tno \nsub-03\tNone of it\n"
-                                     "sub-04\tno, not really\nsub-05\tnotation\nsub-06\t y \n");
+    folder.write("participants.tsv",
+                 "participant_id\texpertise\nsub-01\t n\nsub-02\tno \nsub-03\tNone of it\n"
+                 "sub-04\tno, not really\nsub-05\tnotation\nsub-06\t y \n");
     const auto questions = stats::read_expertise(folder.path());
     ASSERT_EQ(questions.size(), 1u);
     const std::map<std::string, bool> expected{{"01", false}, {"02", false}, {"03", false},
