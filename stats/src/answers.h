@@ -8,6 +8,8 @@
 #include <stats/figures.h>
 #include <stats/study.h>
 
+#include "order_strata.h"
+
 namespace stats {
 
 /// The answers of the runs that count, put together by a key of each trial.
@@ -22,9 +24,11 @@ public:
         }
         const std::int64_t reference = *trial.reference_chosen ? 1 : 0;
         if (entry.last != &run) {
+            entry.close_participant();
             entry.answers.participants.push_back({});
             entry.last = &run;
         }
+        entry.strata.add(trial);
         Answers& answers = entry.answers;
         for (Tally* tally :
              {&answers.tally, &answers.participants.back(),
@@ -48,7 +52,9 @@ public:
     std::vector<Answers> answers() const {
         std::vector<Answers> result;
         for (const auto& [key, entry] : entries_) {
-            result.push_back(entry.answers);
+            Entry whole = entry;
+            whole.close_participant();
+            result.push_back(std::move(whole.answers));
         }
         return result;
     }
@@ -57,6 +63,14 @@ private:
     struct Entry {
         Answers answers;
         const Run* last = nullptr;
+        OrderStrata strata; ///< of the last participant
+
+        void close_participant() {
+            if (last != nullptr) {
+                answers.first_interval.push_back(first_interval(strata.tallies()));
+                strata = {};
+            }
+        }
     };
     std::map<Key, Entry, Order> entries_;
 };

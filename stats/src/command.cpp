@@ -21,6 +21,7 @@
 #include "findings.h"
 #include "forest.h"
 #include "labels.h"
+#include "outcome.h"
 #include "output.h"
 #include "power_report.h"
 #include "report.h"
@@ -39,9 +40,9 @@ constexpr const char* footer = R"(DESCRIPTION
   chi-square (df 1) of each condition's answers against half and half; a star marks p > 0.05 - and a table by
   shader.
 
-  Answers of one participant are not independent: beside the pooled tests stand an exact sign-flip test, a t-test
-  and a logistic mixed model with the participants as the sample, and the answer says where they disagree.
-  Equivalence is tested within --bounds; the Bayes factor has the prior Beta(1, 1).
+  Answers of one participant are not independent: the verdicts take the participants as the sample - a sign-flip
+  test by Holm's method over all rows of shaders.tsv, two one-sided t-tests within --bounds - and need six of
+  them. A t-test and a logistic mixed model stand beside; the answer says where pooled tests disagree.
 
   Of each participant's runs the last complete one counts or, where none is complete, the last that holds
   trials. Complete is a run with the trials its sidecar plans (TrialsPlanned) or, without one, with as many as
@@ -85,23 +86,27 @@ struct Arguments {
 
 /// The shaders over all conditions, in aligned columns.
 std::string shaders_text(const Analysis& analysis) {
-    std::string text = fmt::format("{:28}{:>10}{:>8}{:>16}{:>10}{:>11}{:>10}{:>13}{:>10}  {}\n",
-                                   "Over all conditions", "chosen", "share", "Wilson 95 %", "pooled p",
-                                   "sign-flip", "mixed p", "equivalence", "BF01", "verdict");
+    std::string text = fmt::format("{:28}{:>10}{:>8}{:>16}{:>11}{:>8}{:>14}{:>10}{:>10}  {}\n",
+                                   "Over all conditions", "chosen", "share", "t 95 %", "sign-flip", "Holm",
+                                   "equivalence t", "pooled p", "BF01", "verdict");
     for (const GroupRow* group : overall(analysis.groups)) {
         if (!group->figures) {
             continue;
         }
         const Figures& f = *group->figures;
-        const auto& mixed = f.participant.mixed;
+        const ParticipantLevel& level = f.participant;
         text += fmt::format(
-            "{:28}{:>10}{:>8.3f}{:>16}{:>10.2g}{:>11.2g}{:>10}{:>13.2g}{:>10.2g}  {}\n",
+            "{:28}{:>10}{:>8.3f}{:>16}{:>11.2g}{:>8.2g}{:>14}{:>10.2g}{:>10.2g}  {}\n",
             fmt::format("{} against {}", shader_label(group->test), shader_label(group->reference)),
             fmt::format("{}/{}", group->tally.reference_chosen, group->tally.n), f.proportion,
-            fmt::format("{:.3f} to {:.3f}", f.ci.low, f.ci.high), f.chi_square.p, f.participant.sign_flip.p,
-            mixed ? fmt::format("{:.2g}", mixed->p) : "n/a", f.p_equivalence, std::exp(f.log_bf01),
-            verdict_words(f, analysis.settings.bounds));
+            level.mean ? fmt::format("{:.3f} to {:.3f}", level.mean->ci.low, level.mean->ci.high) : "n/a",
+            level.sign_flip.p, level.p_holm,
+            level.p_equivalence ? fmt::format("{:.2g}", *level.p_equivalence) : "n/a", f.chi_square.p,
+            std::exp(f.log_bf01), verdict_words(*group, analysis.settings.bounds));
     }
+    text += "  (t, sign-flip, Holm - over all rows of shaders.tsv - and equivalence t: participants as the "
+            "sample; "
+            "pooled p and BF01: as if all answers were independent)\n";
     return text;
 }
 
@@ -113,11 +118,15 @@ void print_result(const Analysis& analysis) {
     if (!notice.empty()) {
         fmt::print("{}\n\n", notice);
     }
-    fmt::print("{}: {} participants, {} answers\n\n", support::one_line(study.name), found.participants,
+    fmt::print("{}: {}, {} answers\n\n", support::one_line(study.name), participants_text(found.participants),
                found.trials - found.unanswered);
-    fmt::print("{}\n", table2_text(paper_grid(analysis.rows), ::isatty(STDOUT_FILENO) == 1));
+    for (const Verdict& verdict : verdicts(analysis)) {
+        fmt::print("{}\n", verdict.headline);
+    }
+    fmt::print("\n{}\n", table2_text(paper_grid(analysis.rows), ::isatty(STDOUT_FILENO) == 1));
     fmt::print("{}\n", shaders_text(analysis));
-    for (const auto& sentences : {disagreements(analysis), findings(analysis.rows)}) {
+    for (const auto& sentences :
+         {disagreements(analysis), participant_findings(analysis.rows), findings(analysis.rows)}) {
         for (const std::string& sentence : sentences) {
             fmt::print("{}\n", sentence);
         }
@@ -183,6 +192,10 @@ void plan_study(const Arguments& arguments) {
 
 void run(const Arguments& arguments) {
     if (arguments.power) {
+        if (!arguments.study.empty()) {
+            throw support::input_error("--power: expected no STUDY, as it reads no logs, found {}",
+                                       arguments.study.string());
+        }
         plan_study(arguments);
         return;
     }
@@ -191,8 +204,8 @@ void run(const Arguments& arguments) {
             throw CLI::RequiredError(name);
         }
     }
-    if (!(arguments.bounds[0] < arguments.bounds[1])) {
-        throw support::input_error("--bounds: expected the lower bound first, found {} and {}",
+    if (!(arguments.bounds[0] < 0.5 && 0.5 < arguments.bounds[1])) {
+        throw support::input_error("--bounds: expected LOW below 0.5 and HIGH above it, found {} and {}",
                                    arguments.bounds[0], arguments.bounds[1]);
     }
     analyse(arguments);

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 9> words{
     "expertise", "expert", "experience", "experienced", "graphics", "art", "arts", "drawing", "photography"};
-constexpr std::array<std::string_view, 4> none{"no", "none", "false", "0"};
+constexpr std::array<std::string_view, 7> none{"no", "none", "false", "0", "n", "f", "never"};
 constexpr std::uintmax_t largest_table = std::uintmax_t{64} << 20;
 
 std::string lower(std::string text) {
@@ -44,6 +44,18 @@ std::vector<std::string> split(const std::string& text, char separator) {
     }
 }
 
+/// Without blanks at either end.
+std::string trimmed(const std::string& text) {
+    const auto start = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
+    return start == std::string::npos ? "" : text.substr(start, last - start + 1);
+}
+
+/// Whether an answer in small letters denies: "no", "none of it", but not "nothing but art".
+bool denies(const std::string& answer) {
+    const std::string first = answer.substr(0, answer.find_first_of(" ,;"));
+    return std::find(none.begin(), none.end(), first) != none.end();
+}
+
 bool asks_for_expertise(const std::string& column) {
     std::string spaced = lower(column);
     std::replace_if(
@@ -60,6 +72,7 @@ void add_questions(std::vector<ExpertiseQuestion>& questions, const fs::path& st
     std::erase(text, '\r');
     std::vector<std::string> columns;
     std::vector<ExpertiseQuestion> found;
+    std::set<std::string> seen;
     std::size_t number = 0;
     for (const std::string& line : split(text, '\n')) {
         const auto fields = split(line, '\t');
@@ -82,11 +95,15 @@ void add_questions(std::vector<ExpertiseQuestion>& questions, const fs::path& st
             throw support::input_error("{}:{}: expected {} fields separated by tabs, found {}", file.string(),
                                        number, columns.size(), fields.size());
         }
+        if (!seen.insert(fields[0]).second) {
+            throw support::input_error("{}:{}: expected a participant_id of its own, found {} again",
+                                       file.string(), number, fields[0].substr(0, 60));
+        }
         const std::string label = fields[0].starts_with("sub-") ? fields[0].substr(4) : fields[0];
         for (std::size_t i = 1; i < fields.size(); ++i) {
-            const std::string answer = lower(fields[i]);
+            const std::string answer = trimmed(lower(fields[i]));
             if (answer != "n/a" && !answer.empty()) {
-                found[i].by_participant[label] = std::find(none.begin(), none.end(), answer) == none.end();
+                found[i].by_participant[label] = !denies(answer);
             }
         }
     }

@@ -17,7 +17,7 @@
 namespace stats {
 namespace {
 
-constexpr std::string_view no_preference = "no preference";
+constexpr std::string_view no_preference = "no preference", bars = "bars: pooled Wilson 95 %";
 
 /// One pair of shaders.
 struct Series {
@@ -31,13 +31,13 @@ struct Layout {
 
     explicit Layout(const std::vector<Series>& series) {
         // An entry takes its marker, a gap and the longest label, at about 9 pixels a letter.
-        std::size_t longest = no_preference.size();
+        std::size_t longest = bars.size();
         for (const Series& one : series) {
             longest = std::max(longest, one.label.size());
         }
         const double columns =
             std::max(1.0, std::floor(0.9 * width / (100 + 9 * static_cast<double>(longest))));
-        const double rows = std::ceil(static_cast<double>(series.size() + 1) / columns);
+        const double rows = std::ceil(static_cast<double>(series.size() + 2) / columns);
         legend_top = margin + rows * legend_row;
         frame_bottom = legend_top + tics;
         height = frame_bottom + plot + title;
@@ -142,7 +142,9 @@ std::string legend_script(const std::vector<Series>& series, const Layout& layou
     for (std::size_t s = 0; s < series.size(); ++s) {
         text += fmt::format("NaN with points {} title '{}', ", marker_style(s), series[s].label);
     }
-    return text + fmt::format("NaN {} title '{}'\n", no_preference_style, no_preference);
+    return text +
+           fmt::format("NaN {} title '{}', NaN with points pointtype 0 linecolor '#ffffff' title '{}'\n",
+                       no_preference_style, no_preference, bars);
 }
 
 /// The commands that open the figure and set what both panels share.

@@ -23,7 +23,8 @@ ResponseTimes response_times(std::vector<double> seconds) {
     return {quantile(seconds, 0.25), quantile(seconds, 0.5), quantile(seconds, 0.75)};
 }
 
-ParticipantLevel participant_level(std::span<const Tally> participants, const Settings& settings) {
+ParticipantLevel participant_level(const Answers& answers, const Settings& settings) {
+    const std::vector<Tally>& participants = answers.participants;
     ParticipantLevel level;
     level.participants = participants.size();
     SignFlipLimits limits;
@@ -32,6 +33,8 @@ ParticipantLevel participant_level(std::span<const Tally> participants, const Se
     level.t_test = t_test(participants);
     level.p_equivalence = equivalence_t_test(participants, settings.bounds);
     level.mixed = fit_mixed_model(participants);
+    level.mean = mean_interval(participants);
+    level.order = order_bias(answers.first_interval, limits);
     return level;
 }
 
@@ -46,7 +49,7 @@ Figures uncorrected(const Answers& answers, const Settings& settings) {
     figures.cohens_g = cohens_g(k, n);
     figures.p_equivalence = equivalence_p(k, n, settings.bounds);
     figures.log_bf01 = log_bayes_factor_01(k, n);
-    figures.participant = participant_level(answers.participants, settings);
+    figures.participant = participant_level(answers, settings);
     figures.first_chosen = answers.order.first_chosen();
     figures.p_order = binomial_two_sided_p(figures.first_chosen, answers.order.n());
     figures.sensitivity = sensitivity(answers.order);
@@ -93,6 +96,7 @@ std::vector<std::optional<Figures>> figures_of(std::span<const Answers> rows, co
 std::vector<NamedFigure> named_figures(const Figures& f) {
     const ParticipantLevel& level = f.participant;
     const double missing = std::numeric_limits<double>::quiet_NaN();
+    const auto of_order = [&](auto figure) { return level.order ? figure(*level.order) : missing; };
     return {{"proportion", f.proportion},
             {"chi_square", f.chi_square.statistic},
             {"df", static_cast<double>(f.chi_square.df), true},
@@ -126,7 +130,12 @@ std::vector<NamedFigure> named_figures(const Figures& f) {
             {"order_bias", f.sensitivity.bias},
             {"rt_q1", f.response_times.q1_s},
             {"rt_median", f.response_times.median_s},
-            {"rt_q3", f.response_times.q3_s}};
+            {"rt_q3", f.response_times.q3_s},
+            {"mean_of_participants", value_or_nan(level.mean, &MeanInterval::mean)},
+            {"ci_t_low", level.mean ? level.mean->ci.low : missing},
+            {"ci_t_high", level.mean ? level.mean->ci.high : missing},
+            {"first_share", value_or_nan(level.order, &OrderBias::first_share)},
+            {"p_first_sign_flip", of_order([](const OrderBias& bias) { return bias.sign_flip.p; })}};
 }
 
 std::string first_columns() {

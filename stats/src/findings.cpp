@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "labels.h"
+#include "outcome.h"
 
 namespace stats {
 namespace {
@@ -53,25 +54,25 @@ std::string listed_rows(const std::vector<const Row*>& rows, Describe describe) 
 
 std::string sentence(const Pair& pair) {
     const std::size_t tested = pair.tested(), different = pair.different.size();
-    std::string text;
+    std::string text = "As the paper tests, ";
     if (different == 0) {
-        text = fmt::format(
-            "{} shows no significant difference from {} in {} (p > {})", pair.test, pair.reference,
+        text += fmt::format(
+            "{} shows no significant difference from {} in {} (pooled p > {})", pair.test, pair.reference,
             tested == 1 ? "the only condition" : fmt::format("any of the {} conditions", tested), alpha);
     } else if (pair.alike.empty()) {
-        text =
-            fmt::format("{} differs from {} in {} (p \u2264 {})", pair.test, pair.reference,
+        text +=
+            fmt::format("{} differs from {} in {} (pooled p \u2264 {})", pair.test, pair.reference,
                         tested == 1 ? "the only condition" : fmt::format("all {} conditions", tested), alpha);
     } else if (2 * different <= tested) {
-        text = fmt::format(
-            "{} shows no significant difference from {} in {} of {} conditions (p > {}); it differs "
+        text += fmt::format(
+            "{} shows no significant difference from {} in {} of {} conditions (pooled p > {}); it differs "
             "in {}",
             pair.test, pair.reference, pair.alike.size(), tested, alpha,
             listed_rows(pair.different, place_with_p));
     } else {
-        text =
-            fmt::format("{} differs from {} in {} of {} conditions (p \u2264 {}), but not in {}", pair.test,
-                        pair.reference, different, tested, alpha, listed_rows(pair.alike, place_with_p));
+        text += fmt::format("{} differs from {} in {} of {} conditions (pooled p \u2264 {}), but not in {}",
+                            pair.test, pair.reference, different, tested, alpha,
+                            listed_rows(pair.alike, place_with_p));
     }
     if (different > 0 && pair.test_preferred == different) {
         text += fmt::format("; {} was the one preferred there", pair.test);
@@ -87,14 +88,14 @@ std::string sentence(const Pair& pair) {
 
 std::string sentence_on_corrections(std::span<const Row> rows, const Significance& found) {
     std::string text =
-        fmt::format("{} tests at the {} level would give {:.2g} false alarms on average if no shader "
+        fmt::format("{} pooled tests at the {} level would give {:.2g} false alarms on average if no shader "
                     "differed. ",
                     found.tests, alpha, alpha * static_cast<double>(found.tests));
     if (found.raw == 0) {
         return text + "None is significant here.";
     }
     text += fmt::format(
-        "Significant differences: {} uncorrected, {} after Holm's correction, {} after Benjamini and "
+        "Significant by the pooled test: {} uncorrected, {} after Holm's correction, {} after Benjamini and "
         "Hochberg's",
         found.raw, found.holm, found.bh);
 
@@ -116,7 +117,64 @@ std::string sentence_on_corrections(std::span<const Row> rows, const Significanc
     return text + ".";
 }
 
+/// One pair of shaders with the participants as the sample, by Holm's method.
+std::string participant_sentence(std::span<const Row> rows, const std::string& reference_shader,
+                                 const std::string& test_shader) {
+    const std::string reference = shader_label(reference_shader), test = shader_label(test_shader);
+    std::vector<std::string> differing;
+    std::size_t tested = 0, reference_preferred = 0;
+    for (const Row& row : rows) {
+        if (row.condition.reference != reference_shader || row.condition.test != test_shader ||
+            !row.figures) {
+            continue;
+        }
+        ++tested;
+        if (const Outcome outcome = outcome_of(*row.figures); outcome.differs()) {
+            reference_preferred += outcome.reference_preferred ? 1 : 0;
+            differing.push_back(fmt::format("{} ({} preferred, p {})", place(row),
+                                            outcome.reference_preferred ? reference : test,
+                                            p_phrase(row.figures->participant.p_holm)));
+        }
+    }
+    if (tested == 0) {
+        return "";
+    }
+    const std::size_t count = differing.size();
+    const std::string start = fmt::format("{} differs from {} in {} of {} condition{}", test, reference,
+                                          count, tested, tested == 1 ? "" : "s");
+    if (count > 0 && count == tested && (reference_preferred == 0 || reference_preferred == count)) {
+        return fmt::format("{}, {} preferred", start, reference_preferred == 0 ? test : reference);
+    }
+    return start + (count == 0 ? "" : ": " + listed(std::move(differing)));
+}
+
 } // namespace
+
+std::vector<std::string> participant_findings(std::span<const Row> rows) {
+    const std::size_t tests = significance(rows).tests;
+    std::size_t participants = 0;
+    for (const Row& row : rows) {
+        participants = std::max(participants, row.figures ? row.figures->participant.participants : 0);
+    }
+    if (participants < fewest_participants(tests)) {
+        return {fmt::format(
+            "With participants as the sample, no single condition can be tested: over {} test{}, "
+            "{} cannot reach significance by Holm's method; it takes {}.",
+            tests, tests == 1 ? "" : "s", participants_text(participants), fewest_participants(tests))};
+    }
+    std::vector<std::string> sentences;
+    for (const std::string& reference : references_of(rows)) {
+        for (const std::string& test : tests_of(rows)) {
+            if (const std::string text = participant_sentence(rows, reference, test); !text.empty()) {
+                sentences.push_back(
+                    fmt::format("With participants as the sample (sign-flip test, Holm's method "
+                                "over {} condition{}), {}.",
+                                tests, tests == 1 ? "" : "s", text));
+            }
+        }
+    }
+    return sentences;
+}
 
 Significance significance(std::span<const Row> rows) {
     const auto count = [&](auto condition) {

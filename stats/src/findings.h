@@ -18,7 +18,12 @@ struct Significance {
 };
 Significance significance(std::span<const Row> rows);
 
-/// The answer in plain sentences: one for each pair of shaders, then one on the corrections.
+/// Which conditions differ with the participants as the sample, by Holm's method: a sentence for each pair of
+/// shaders, or one that there are too few participants.
+std::vector<std::string> participant_findings(std::span<const Row> rows);
+
+/// The answer as the paper tests, by the pooled chi-square, in plain sentences: one for each pair of shaders,
+/// then one on the corrections.
 std::vector<std::string> findings(std::span<const Row> rows);
 
 /// "SIMULATED DATA: ..." for data that are simulated, else empty.

@@ -46,7 +46,14 @@ std::string statistic_text(double value) {
 
 std::string p_text(double p) { return p == 1 ? "1" : fmt::format("{:.3f}", p); }
 
-std::string p_phrase(double p) { return p < 0.0005 ? "< 0.001" : fmt::format("= {:.3f}", p); }
+std::string p_phrase(double p) {
+    // Just above the level, three digits would show the level itself.
+    constexpr double level = 0.05, rounded_to_it = 0.0505;
+    if (p > level && p < rounded_to_it) {
+        return p < 0.0501 ? "just above 0.05" : fmt::format("= {:.4f}", p);
+    }
+    return p < 0.0005 ? "< 0.001" : fmt::format("= {:.3f}", p);
+}
 
 std::string listed(std::vector<std::string> items) {
     constexpr std::size_t longest_list = 6;

@@ -32,7 +32,7 @@ std::string statistic_text(double value);
 /// A p-value to three decimals, and 1 for one of exactly 1, as Table II prints it: 0.000, 0.480, 1.
 std::string p_text(double p);
 
-/// A p-value for running text: "= 0.034" or "< 0.001".
+/// A p-value for running text: "= 0.034" or "< 0.001"; never the level of .05 for one above it ("= 0.0501").
 std::string p_phrase(double p);
 
 /// "a, b and c"; a long list ends in "and 7 others". Not for an empty one.

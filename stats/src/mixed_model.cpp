@@ -17,6 +17,9 @@ namespace {
 // Where sd passes this, the likelihood rises for ever.
 constexpr double widest_sd = 25;
 
+// Half the points: where they tell another standard error, all points are too few.
+constexpr int coarse_points = 51;
+
 /// How many participants answered alike; the likelihood needs each tally once.
 using Groups = std::map<Tally, double>;
 
@@ -40,19 +43,41 @@ struct Peak {
 Peak peak_of(const Tally& tally, double intercept, double sd) {
     const auto n = static_cast<double>(tally.n), k = static_cast<double>(tally.reference_chosen);
     Peak peak;
-    constexpr int most_steps = 100;
+    // The slope falls from 0 or more at `low` to 0 or less at `high`. Newton's step where it stays between
+    // them, else half the way: a steep participant would throw it from side to side.
+    double low = -sd * (n - k), high = sd * k;
+    constexpr int most_steps = 200;
     for (int step = 0; step < most_steps; ++step) {
         const double mu = logistic(intercept + sd * peak.mode);
         const double slope = sd * (k - n * mu) - peak.mode, curvature = 1 + sd * sd * n * mu * (1 - mu);
         peak.scale = 1 / std::sqrt(curvature);
-        // The function is concave; a bounded step cannot run away where it is nearly flat.
-        const double change = std::clamp(slope / curvature, -1.0, 1.0);
-        peak.mode += change;
-        if (std::abs(change) < 1e-12) {
+        (slope > 0 ? low : high) = peak.mode;
+        double next = peak.mode + slope / curvature;
+        if (!(low <= next && next <= high)) {
+            next = (low + high) / 2;
+        }
+        const double change = std::abs(next - peak.mode);
+        peak.mode = next;
+        if (change < 1e-12 * std::max(1.0, std::abs(next))) {
             break;
         }
     }
     return peak;
+}
+
+/// Nodes and steps for a participant who always answered the same: the likelihood is a cliff's edge, as steep
+/// as sd, on a normal's flank, which no polynomial fits. The trapezoidal rule converges geometrically on it,
+/// as the nearest singularity lies pi / (2 sd) off the axis and the tails fall like a normal's
+/// [Trefethen2014].
+template <typename Add>
+void add_plateau(double mode, double sd, Add add) {
+    constexpr double reach = 9, share = 0.25; // exp(-reach^2 / 2) and exp(-pi^2 / share) are below 1e-17
+    const double step = std::min(share, share / sd);
+    const double root = std::sqrt(2 * std::numbers::pi);
+    const auto steps = static_cast<int>(std::ceil(reach / step));
+    for (int i = -steps; i <= steps; ++i) {
+        add(mode + i * step, step / root);
+    }
 }
 
 /// Add one participant's log-likelihood, `times` over.
@@ -68,9 +93,7 @@ void add_participant(Point& sum, const Tally& tally, double times, double interc
 
     // Integrate, and take the means of the derivatives over u given the answers.
     double mass = 0, score_b = 0, score_s = 0, bb = 0, bs = 0, ss = 0;
-    for (std::size_t i = 0; i < quadrature.nodes.size(); ++i) {
-        const double z = quadrature.nodes[i], u = peak.mode + peak.scale * z;
-        const double weight = quadrature.weights[i] * std::exp(log_density(u) - highest + z * z / 2);
+    const auto add = [&](double u, double weight) {
         const double mu = logistic(intercept + sd * u);
         const double residual = k - n * mu, information = n * mu * (1 - mu);
         mass += weight;
@@ -79,12 +102,21 @@ void add_participant(Point& sum, const Tally& tally, double times, double interc
         bb += weight * (residual * residual - information);
         bs += weight * (residual * residual - information) * u;
         ss += weight * (residual * residual - information) * u * u;
+    };
+    if (k > 0 && k < n) {
+        for (std::size_t i = 0; i < quadrature.nodes.size(); ++i) {
+            const double z = quadrature.nodes[i], u = peak.mode + peak.scale * z;
+            add(u, quadrature.weights[i] * peak.scale * std::exp(log_density(u) - highest + z * z / 2));
+        }
+    } else {
+        add_plateau(peak.mode, sd,
+                    [&](double u, double step) { add(u, step * std::exp(log_density(u) - highest)); });
     }
     score_b /= mass;
     score_s /= mass;
 
     // The second derivatives of the logarithm of an integral [Louis1982].
-    sum.value += times * (highest + std::log(peak.scale * mass));
+    sum.value += times * (highest + std::log(mass));
     sum.by_intercept += times * score_b;
     sum.by_sd += times * score_s;
     sum.intercept_twice += times * (bb / mass - score_b * score_b);
@@ -92,8 +124,10 @@ void add_participant(Point& sum, const Tally& tally, double times, double interc
     sum.sd_twice += times * (ss / mass - score_s * score_s);
 }
 
-Point evaluate(const Groups& groups, double intercept, double sd) {
-    static const Quadrature quadrature = normal_quadrature(quadrature_points);
+Point evaluate(const Groups& groups, double intercept, double sd, int points = quadrature_points) {
+    static const Quadrature fine = normal_quadrature(quadrature_points),
+                            coarse = normal_quadrature(coarse_points);
+    const Quadrature& quadrature = points == quadrature_points ? fine : coarse;
     Point sum;
     for (const auto& [tally, times] : groups) {
         add_participant(sum, tally, times, intercept, sd, quadrature);
@@ -231,7 +265,15 @@ std::optional<MixedModel> fit_mixed_model(std::span<const Tally> participants) {
         if (top.sd > widest_sd || !(p.intercept_twice < 0 && determinant > 0 && left_to_climb < small)) {
             return std::nullopt;
         }
-        model = {top.intercept, std::sqrt(-p.sd_twice / determinant), top.sd, 1, p.value, 1};
+        const double standard_error = std::sqrt(-p.sd_twice / determinant);
+        const Point rough = evaluate(groups, top.intercept, top.sd, coarse_points);
+        const double rough_error =
+            std::sqrt(-rough.sd_twice / (rough.intercept_twice * rough.sd_twice - rough.both * rough.both));
+        constexpr double same = 1e-4; // with all points, the error is about the square of it
+        if (!(std::abs(rough_error / standard_error - 1) < same)) {
+            return std::nullopt;
+        }
+        model = {top.intercept, standard_error, top.sd, 1, p.value, 1};
         const boost::math::chi_squared distribution(1);
         model.p_heterogeneity = 0.5 * boost::math::cdf(boost::math::complement(distribution, ratio));
     } else {

@@ -13,6 +13,13 @@ namespace stats {
 
 void write_together(const std::filesystem::path& folder, const std::map<std::string, std::string>& contents) {
     support::make_writable_folder(folder);
+    // A folder in a file's place would stop the renaming halfway.
+    for (const auto& [name, content] : contents) {
+        if (std::filesystem::is_directory(folder / name)) {
+            throw support::input_error("{}: expected a file or nothing, found a folder",
+                                       (folder / name).string());
+        }
+    }
     std::list<support::PendingFile> pending;
     for (const auto& [name, content] : contents) {
         support::PendingFile& file = pending.emplace_back(folder / name);

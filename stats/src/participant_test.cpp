@@ -141,6 +141,10 @@ SignFlip sign_flip(std::span<const Tally> participants, const SignFlipLimits& li
                                               : drawn_p(surpluses, limits);
 }
 
+double least_sign_flip_p(std::size_t participants) {
+    return std::min(1.0, std::ldexp(2.0, -static_cast<int>(std::min<std::size_t>(participants, 2000))));
+}
+
 std::optional<TTest> t_test(std::span<const Tally> participants) {
     const auto mean = mean_proportion(participants);
     if (!mean) {
@@ -158,6 +162,17 @@ std::optional<double> equivalence_t_test(std::span<const Tally> participants,
     }
     return std::max(upper_tail((mean->value - bounds.low) / mean->standard_error, mean->df),
                     upper_tail((bounds.high - mean->value) / mean->standard_error, mean->df));
+}
+
+std::optional<MeanInterval> mean_interval(std::span<const Tally> participants, double confidence) {
+    const auto mean = mean_proportion(participants);
+    if (!mean) {
+        return std::nullopt;
+    }
+    const boost::math::students_t distribution(mean->df);
+    const double half = mean->standard_error *
+                        boost::math::quantile(boost::math::complement(distribution, (1 - confidence) / 2));
+    return MeanInterval{mean->value, {std::max(0.0, mean->value - half), std::min(1.0, mean->value + half)}};
 }
 
 } // namespace stats

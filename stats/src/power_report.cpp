@@ -13,6 +13,7 @@
 #include <stats/power.h>
 
 #include "labels.h"
+#include "outcome.h"
 #include "plot.h"
 
 namespace stats {
@@ -43,14 +44,18 @@ std::string exact_text(const PowerPlan& plan) {
                     plan.level, plan.participants, plan.trials, n,
                     std::isnan(least) ? "no proportion" : fmt::format("a proportion of {:.3f}", least),
                     plan.power, "proportion", "power of these", "answers for", "participants for");
+    const auto fewest = static_cast<std::int64_t>(fewest_participants(1));
     for (const double proportion : proportions) {
         const std::int64_t needed = trials_needed(proportion, plan.power, plan.level);
         fmt::format_to(std::back_inserter(text), "  {:>10}  {:>14.3f}  {:>12}  {:>16}\n", proportion,
                        exact_power(n, proportion, plan.level), needed,
-                       (needed + plan.trials - 1) / plan.trials);
+                       std::max(fewest, (needed + plan.trials - 1) / plan.trials));
     }
-    return text + fmt::format("  (answers and participants for a power of {}, at every larger number, too)\n",
-                              plan.power);
+    return text +
+           fmt::format("  (answers and participants for a power of {}, at every larger number, too; at least "
+                       "{} participants, as fewer\n  cannot be significant in the sign-flip test; those who "
+                       "differ need more: see below)\n",
+                       plan.power, fewest);
 }
 
 /// The smallest number of participants in simulations with the power, by halving; 0: more than the most

@@ -4,6 +4,7 @@
 #include <stats/quality.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 #include <stats/two_groups.h>
 
 #include "labels.h"
+#include "order_strata.h"
 
 namespace stats {
 namespace {
@@ -23,6 +25,7 @@ ParticipantQuality quality_of(const Run& run) {
     result.trials = run.log.trials.size();
     result.dropped_frames = run.sidecar.dropped_frames;
     std::vector<double> times_s;
+    OrderStrata strata;
     for (const Trial& trial : run.log.trials) {
         if (!trial.reference_chosen) {
             ++result.missing;
@@ -30,6 +33,7 @@ ParticipantQuality quality_of(const Run& run) {
         }
         Tally& tally = trial.reference_first ? result.order.reference_first : result.order.reference_second;
         ++tally.n;
+        strata.add(trial);
         tally.reference_chosen += *trial.reference_chosen ? 1 : 0;
         result.errors += *trial.reference_chosen ? 0 : 1;
         if (trial.response_time_s) {
@@ -39,6 +43,9 @@ ParticipantQuality quality_of(const Run& run) {
     }
     std::sort(times_s.begin(), times_s.end());
     result.median_response_time_s = quantile(times_s, 0.5);
+    result.both_orders = in_both_orders(strata.tallies());
+    result.first_interval = first_interval(strata.tallies());
+    result.p_order = order_p(result.both_orders);
     result.p_first = binomial_two_sided_p(result.order.first_chosen(), result.order.n());
     return result;
 }
@@ -61,17 +68,49 @@ void add_counts(std::vector<std::string>& notes, std::vector<std::string> items,
     }
 }
 
+/// What a run that counts has that its protocol would not give: more trials, gaps in their numbers, answers
+/// that took longer than any session.
+void add_irregular_runs(std::vector<std::string>& notes, const Study& study) {
+    constexpr double longest_s = 3600;
+    std::vector<std::string> extra, gaps, slow;
+    for (const Run& run : study.runs) {
+        const auto& trials = run.log.trials;
+        if (!run.used || trials.empty()) {
+            continue;
+        }
+        if (trials.size() > run.trials_expected) {
+            extra.push_back(
+                fmt::format("sub-{} ({}, not {})", run.participant, trials.size(), run.trials_expected));
+        }
+        const auto last = std::max_element(
+            trials.begin(), trials.end(), [](const Trial& a, const Trial& b) { return a.number < b.number; });
+        if (last->number > static_cast<std::int64_t>(trials.size())) {
+            gaps.push_back(fmt::format("sub-{} ({} trials, the last number {})", run.participant,
+                                       trials.size(), last->number));
+        }
+        const auto slow_ones = std::count_if(trials.begin(), trials.end(), [](const Trial& trial) {
+            return trial.response_time_s.value_or(0) > longest_s;
+        });
+        if (slow_ones > 0) {
+            slow.push_back(fmt::format("sub-{} ({} of {})", run.participant, slow_ones, trials.size()));
+        }
+    }
+    add_counts(notes, std::move(extra), "More trials than planned, kept");
+    add_counts(notes, std::move(gaps), "Numbers of trials are missing");
+    add_counts(notes, std::move(slow), "Answers after more than an hour, kept");
+}
+
 } // namespace
 
 bool ParticipantQuality::always_same_interval() const {
     constexpr std::int64_t enough = 10; // 1 in 500 by chance
     const std::int64_t first = order.first_chosen(), n = order.n();
-    return n >= enough && (first == 0 || first == n);
+    return both_orders.n() >= enough && (first == 0 || first == n);
 }
 
 bool ParticipantQuality::favours_interval() const {
     constexpr double lopsided = 0.001;
-    return !always_same_interval() && p_first < lopsided;
+    return !always_same_interval() && p_order < lopsided;
 }
 
 std::vector<ParticipantQuality> participant_quality(const Study& study) {
@@ -88,6 +127,11 @@ std::vector<std::string> quality_notes(const Study& study, std::span<const Parti
     std::vector<std::string> notes;
     add_counts(notes, counted(participants, [](const auto& p) { return p.missing; }),
                "Trials without an answer, left out");
+    const bool timed = std::any_of(participants.begin(), participants.end(),
+                                   [](const auto& one) { return !std::isnan(one.median_response_time_s); });
+    if (!timed) {
+        notes.push_back("Response times are not recorded: answers under 300 ms cannot be told.");
+    }
     add_counts(notes, counted(participants, [](const auto& p) { return p.fast; }),
                fmt::format("Answers within {:.0f} ms of the second picture, kept", 1000 * fast_answer_s));
     std::vector<std::string> always, favours;
@@ -105,10 +149,11 @@ std::vector<std::string> quality_notes(const Study& study, std::span<const Parti
         runs_dropping += one.dropped_frames.value_or(0) > 0 ? 1 : 0;
     }
     add_counts(notes, std::move(always), "Always chose the same interval, kept");
-    add_counts(notes, std::move(favours), "Favour one interval (p < 0.001), kept");
+    add_counts(notes, std::move(favours), "Favour one interval, whatever it showed (p < 0.001), kept");
     if (dropped > 0) {
         notes.push_back(fmt::format("Dropped frames: {} in {} runs.", dropped, runs_dropping));
     }
+    add_irregular_runs(notes, study);
     if (study.protocols > 1) {
         notes.push_back(
             fmt::format("Runs of {} different protocol files are taken together.", study.protocols));
@@ -118,16 +163,17 @@ std::vector<std::string> quality_notes(const Study& study, std::span<const Parti
 
 std::string to_tsv(std::span<const ParticipantQuality> participants, bool simulated) {
     std::string text = "participant_id\tfile\tcomplete\ttrials\tmissing\tunder_300_ms\terrors\tfirst_chosen\t"
-                       "p_first\tflag\trt_median\tdropped_frames\tsimulated\n";
+                       "p_first\tflag\trt_median\tdropped_frames\tsimulated\tp_order\n";
     for (const ParticipantQuality& one : participants) {
         const std::string_view flag = one.always_same_interval() ? "always_same_interval"
                                       : one.favours_interval()   ? "favours_interval"
                                                                  : "n/a";
         text +=
-            fmt::format("sub-{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\n", one.participant, one.file,
-                        one.complete, one.trials, one.missing, one.fast, one.errors, one.order.first_chosen(),
-                        exact(one.p_first), flag, exact(one.median_response_time_s),
-                        one.dropped_frames ? fmt::format("{}", *one.dropped_frames) : "n/a", simulated);
+            fmt::format("sub-{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\n", one.participant,
+                        one.file, one.complete, one.trials, one.missing, one.fast, one.errors,
+                        one.order.first_chosen(), exact(one.p_first), flag, exact(one.median_response_time_s),
+                        one.dropped_frames ? fmt::format("{}", *one.dropped_frames) : "n/a", simulated,
+                        one.both_orders.n() > 0 ? exact(one.p_order) : "n/a");
     }
     return text;
 }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "findings.h"
+#include "outcome.h"
 #include "plot.h"
 #include "report_sections.h"
 #include "report_style.h"
@@ -47,21 +48,26 @@ std::string head(const Study& study, const std::string& notice) {
     return html;
 }
 
-/// The answer: where the tests disagree, the verdict on each shader, then where each differs.
+/// The answer: the verdict on each shader, where the tests disagree, then in which conditions each differs.
 std::string answer(const Analysis& analysis) {
     const Contents found = contents(analysis.study);
     std::string html = fmt::format("<main>\n<h1>{}</h1>\n<p class=\"facts\">Two-alternative forced choice: "
-                                   "{} participants, {} answers, {} "
+                                   "{}, {} answers, {} "
                                    "conditions.</p>\n",
-                                   html_text(analysis.study.name), found.participants,
+                                   html_text(analysis.study.name), participants_text(found.participants),
                                    found.trials - found.unanswered, analysis.rows.size());
-    html += list_of(disagreements(analysis), any_shader_disagrees(analysis) ? "warning" : "note");
     html += "<ul class=\"answer\">\n";
     for (const Verdict& verdict : verdicts(analysis)) {
         html += fmt::format("<li><strong>{}</strong> {}</li>\n", html_text(verdict.headline),
                             html_text(verdict.evidence));
     }
-    return html + "</ul>\n<h3>In which conditions, by the paper's test</h3>\n" + list_of(findings(analysis.rows));
+    html += "</ul>\n" + list_of(disagreements(analysis), any_shader_disagrees(analysis) ? "warning" : "note");
+    return html + "<h3>In which conditions</h3>\n" + list_of(participant_findings(analysis.rows)) +
+           "<h3>In which conditions, as the paper tests</h3>\n" +
+           paragraph(
+               "All answers are pooled as if independent; the participants' table further down does not.",
+               "note") +
+           list_of(findings(analysis.rows));
 }
 
 } // namespace
@@ -74,11 +80,13 @@ std::string report_html(const Analysis& analysis, const ReportFigures& figures) 
         "<h2>Figure 8</h2>\n" +
         figure(figures.figure8, "a", notice,
                "Proportion of answers that chose the reference, by light azimuth (left) and camera distance "
-               "(right): 1 is always the reference, 0.5 (dashed) no preference. Bars are Wilson 95 % "
-               "intervals.");
+               "(right): 1 is always the reference, 0.5 (dashed) no preference. Bars are pooled Wilson 95 % "
+               "intervals, as if all answers were independent: too short where participants differ. The "
+               "tables give intervals over participants.");
     html += "<h2>Shaders</h2>\n" +
             figure(figures.shaders, "b", notice,
-                   "Filled: the pooled proportion with its Wilson 95 % interval. Open: a participant in the "
+                   "Filled: the pooled proportion with its Wilson 95 % interval, as if all answers were "
+                   "independent. Open: a participant in the "
                    "middle of "
                    "the population, by the mixed model. Shaded: the bounds of equivalence.") +
             shaders_html(analysis);

@@ -51,6 +51,9 @@ thead tr:last-child th { border-bottom: 2px solid var(--soft); }
 figure { margin: 1rem 0; }
 .card { background: #fff; border: 1px solid var(--line); border-radius: 8px; padding: .5rem; }
 .card svg, .card img { display: block; width: 100%; min-width: 36rem; height: auto; }
+@media screen and (max-width: 40rem) {
+  .scroll::before, .card::before { content: "Scroll sideways \2192"; position: sticky; left: 0; display: inline-block;
+    font-size: .75rem; color: var(--soft); } .card::before { color: #5d5a57; } }
 @media print {
   :root { color-scheme: light; --ink: #000; --soft: #444; --paper: #fff; --line: #bbb;
           --mark: #eee; --mark-ink: #000; --alarm: #b00020; }

@@ -55,29 +55,29 @@ struct Columns {
 };
 
 const Columns& pooled_columns() {
-    static const Columns columns{{"Reference chosen", "Proportion", "Wilson 95 %", "Exact 95 %", "g", "p",
-                                  "p exact", "Holm", "B.\u2013H.", "Equivalence p", "BF<sub>01</sub>"},
-                                 [](const Tally& tally, const Figures& f) {
-                                     return std::vector<std::string>{
-                                         fmt::format("{} of {}", tally.reference_chosen, tally.n),
-                                         number(f.proportion, 3),
-                                         interval(f.ci),
-                                         interval(f.ci_exact),
-                                         number(f.cohens_g, 3),
-                                         p_cell(f.chi_square.p),
-                                         p_cell(f.p_exact),
-                                         p_cell(f.p_holm),
-                                         p_cell(f.q_bh),
-                                         p_cell(f.p_equivalence),
-                                         bayes(f.log_bf01)};
-                                 }};
+    static const Columns columns{
+        {"Reference chosen", "Proportion", "Wilson 95 %, pooled", "Exact 95 %, pooled", "g", "p", "p exact",
+         "Holm of p", "B.\u2013H. of p", "Equivalence p", "BF<sub>01</sub>"},
+        [](const Tally& tally, const Figures& f) {
+            return std::vector<std::string>{fmt::format("{} of {}", tally.reference_chosen, tally.n),
+                                            number(f.proportion, 3),
+                                            interval(f.ci),
+                                            interval(f.ci_exact),
+                                            number(f.cohens_g, 3),
+                                            p_cell(f.chi_square.p),
+                                            p_cell(f.p_exact),
+                                            p_cell(f.p_holm),
+                                            p_cell(f.q_bh),
+                                            p_cell(f.p_equivalence),
+                                            bayes(f.log_bf01)};
+        }};
     return columns;
 }
 
 const Columns& participant_columns() {
     static const Columns columns{
-        {"Participants", "Sign-flip p", "Holm", "t-test p", "Equivalence p (t)", "Mixed model: logit",
-         "standard error", "p", "SD between", "p of SD"},
+        {"Participants", "Mean proportion", "t 95 %", "Sign-flip p", "Holm of it", "t-test p",
+         "Equivalence p (t)", "Mixed model: logit", "standard error", "p", "SD between", "p of SD"},
         [](const Tally&, const Figures& f) {
             const ParticipantLevel& level = f.participant;
             const double missing = std::nan("");
@@ -86,6 +86,8 @@ const Columns& participant_columns() {
             const std::string error =
                 level.sign_flip.exact ? "" : fmt::format(" \u00b1 {:.2g}", level.sign_flip.standard_error);
             return std::vector<std::string>{fmt::format("{}", level.participants),
+                                            level.mean ? number(level.mean->mean, 3) : "n/a",
+                                            level.mean ? interval(level.mean->ci) : "n/a",
                                             p_cell(level.sign_flip.p) + error,
                                             p_cell(level.p_holm),
                                             p_cell(level.t_test ? level.t_test->p : missing),
@@ -147,9 +149,10 @@ std::string table2_html(const Analysis& analysis) {
     const Grid grid = paper_grid(analysis.rows);
     const bool with_n = !grid.n;
     std::string html = paragraph(
-        fmt::format("Chi-square of the answers against half and half (df = 1, level of significance {}{}). "
-                    "Marked and with a star: no significant difference (p > {}).",
-                    alpha, grid.n ? fmt::format(", n = {} answers a condition", *grid.n) : "", alpha),
+        fmt::format(
+            "As the paper tests: chi-square of all answers, pooled, against half and half (df = 1, level of "
+            "significance {}{}). Marked and with a star: no significant difference (p > {}).",
+            alpha, grid.n ? fmt::format(", n = {} answers a condition", *grid.n) : "", alpha),
         "note");
     html += "<div class=\"scroll\"><table class=\"table2\">\n<thead><tr><th></th>";
     std::string columns = "<tr><th scope=\"col\">Configuration</th>";
@@ -175,15 +178,16 @@ std::string shaders_html(const Analysis& analysis) {
     for (const GroupRow& group : analysis.groups) {
         const std::string label = html_text(group_label(group));
         rows.push_back({{group.by == "all" ? "<strong>" + label + "</strong>" : "&emsp;" + label,
-                         group.figures ? verdict_words(*group.figures, analysis.settings.bounds) : "n/a"},
+                         html_text(verdict_words(group, analysis.settings.bounds))},
                         group.tally,
                         group.figures});
     }
     return paragraph(
-               fmt::format("Each shader over all conditions, by distance and by azimuth. Holm and "
-                           "Benjamini\u2013Hochberg run over the {} rows of the table. Marked: p above {}. "
-                           "shaders.tsv has every digit.",
-                           analysis.groups.size(), alpha),
+               fmt::format(
+                   "Each shader over all conditions, by distance and by azimuth. Corrected over the {} rows "
+                   "of the table: the sign-flip p by Holm, the chi-square's p by Holm and "
+                   "Benjamini\u2013Hochberg; no other p. Marked: p above {}. shaders.tsv has every digit.",
+                   analysis.groups.size(), alpha),
                "note") +
            both_tables({"Shader", "Verdict"}, 1, rows);
 }
@@ -198,28 +202,37 @@ std::string conditions_html(const Analysis& analysis) {
     }
     return paragraph(
                fmt::format(
-                   "Holm and Benjamini\u2013Hochberg run over the {} rows of the table. Marked: p above "
-                   "{}. table2.tsv has every digit.",
+                   "Corrected over the {} rows of the table: the sign-flip p by Holm, the chi-square's p by "
+                   "Holm and "
+                   "Benjamini\u2013Hochberg; no other p. Marked: p above {}. table2.tsv has every digit.",
                    analysis.rows.size(), alpha),
                "note") +
            both_tables({"Configuration", "Test"}, 2, rows);
 }
 
 std::string order_html(const Analysis& analysis) {
-    HtmlTable table("details", {"Shader", "First interval chosen", "p", "d\u2032 from proportion correct",
-                                "d\u2032 freed from bias", "Bias to the second interval"});
-    const auto row = [&](const std::string& label, std::int64_t first, std::int64_t n, double p,
-                         const Sensitivity& s) {
-        table.add({label, fmt::format("{} of {}", first, n), p_cell(p), number(s.d_prime, 3),
-                   number(s.d_prime_order, 3), number(s.bias, 3)});
-    };
+    HtmlTable table("details", {"Shader", "First interval chosen", "Freed from preference", "Sign-flip p",
+                                "Pooled p", "d\u2032 from proportion correct", "d\u2032 freed from bias",
+                                "Bias to the second interval"});
     for (const GroupRow* group : overall(analysis.groups)) {
-        if (group->figures) {
-            row(html_text(group_label(*group)), group->figures->first_chosen, group->tally.n,
-                group->figures->p_order, group->figures->sensitivity);
+        if (!group->figures) {
+            continue;
         }
+        const Figures& f = *group->figures;
+        const auto& bias = f.participant.order;
+        const Sensitivity& s = f.sensitivity;
+        table.add({html_text(group_label(*group)), fmt::format("{} of {}", f.first_chosen, group->tally.n),
+                   bias ? number(bias->first_share, 3) : "n/a",
+                   p_cell(bias ? bias->sign_flip.p : std::nan("")), p_cell(f.p_order), number(s.d_prime, 3),
+                   number(s.d_prime_order, 3), number(s.bias, 3)});
     }
-    return paragraph(order_sentence(analysis)) + table.html();
+    return paragraph(order_sentence(analysis)) + table.html() +
+           paragraph(
+               "Freed from preference: within each condition answered in both orders, the reference is "
+               "chosen as often first as second if there is no bias. The sign-flip test takes the "
+               "participants as the sample; the pooled p takes all answers as independent, and where one "
+               "order is more frequent a preference makes it small, too. No p is corrected.",
+               "note");
 }
 
 std::string response_times_html(const Analysis& analysis) {

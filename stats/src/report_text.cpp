@@ -11,6 +11,7 @@
 #include "findings.h"
 #include "html.h"
 #include "labels.h"
+#include "outcome.h"
 #include "verdicts.h"
 
 namespace stats {
@@ -116,13 +117,13 @@ std::string methods_html(const Analysis& analysis) {
         drawn |= row.figures && !row.figures->participant.sign_flip.exact;
     }
     std::string html =
-        paragraph(fmt::format("{} participants gave {} two-alternative forced-choice answers in {} "
+        paragraph(fmt::format("{} gave {} two-alternative forced-choice answers in {} "
                               "conditions{}. Of each participant's "
                               "runs the last complete one counts or, where none is complete, the last that "
                               "holds trials; trials without an "
                               "answer were left out.",
-                              found.participants, found.trials - found.unanswered, analysis.rows.size(),
-                              is_simulated(analysis.study) ? " (simulated data)" : ""));
+                              participants_text(found.participants), found.trials - found.unanswered,
+                              analysis.rows.size(), is_simulated(analysis.study) ? " (simulated data)" : ""));
     html += paragraph(fmt::format(
         "In each condition, and for each shader over all conditions, by distance and by azimuth, the numbers "
         "of "
@@ -131,7 +132,8 @@ std::string methods_html(const Analysis& analysis) {
         "chi-square test (df = 1, no continuity correction, alpha = {}), as by Jimenez, Sundstedt and "
         "Gutierrez "
         "(2009), and by the exact two-sided binomial test (outcomes no more probable than the observed one). "
-        "Proportions are given with Wilson score and Clopper\u2013Pearson exact 95 % intervals, effect sizes "
+        "Pooled proportions are given with Wilson score and Clopper\u2013Pearson exact 95 % intervals, "
+        "effect sizes "
         "as "
         "Cohen's g = |p - 1/2|. P-values of the chi-square and the sign-flip tests were corrected by Holm's "
         "method, "
@@ -147,7 +149,8 @@ std::string methods_html(const Analysis& analysis) {
         "patterns{}, with a t-test of the participants' proportions against 1/2 as a check, and by a "
         "logistic mixed "
         "model with a random intercept for each participant (maximum likelihood, adaptive Gauss\u2013Hermite "
-        "quadrature with {} points; Wald test with the standard error from the observed information, which "
+        "quadrature with {} points, for participants who always answered the same the trapezoidal rule; Wald "
+        "test with the standard error from the observed information, which "
         "holds for many participants: with ten it is significant in 8 to 9 % of studies without a "
         "difference). "
         "Heterogeneity "
@@ -161,23 +164,49 @@ std::string methods_html(const Analysis& analysis) {
             : " (exact)",
         quadrature_points));
     html += paragraph(fmt::format("No significant difference does not show that two shaders look equally "
-                                  "good. Equivalence was tested by two "
-                                  "one-sided exact binomial tests, and over participants by two one-sided "
-                                  "t-tests, with bounds of {} and {} for "
-                                  "the proportion choosing the reference. The Bayes factor BF01 compares a "
-                                  "proportion of exactly 1/2 with a "
-                                  "uniform prior, Beta(1, 1), on the proportion.",
+                                  "good. Equivalence was tested over "
+                                  "participants by two one-sided t-tests of their mean proportion, whose 95 "
+                                  "% interval is Student's t, and "
+                                  "beside by two one-sided exact binomial tests of all answers, with bounds "
+                                  "of {} and {} for the proportion "
+                                  "choosing the reference. The Bayes factor BF01 compares a proportion of "
+                                  "exactly 1/2 with a uniform prior, "
+                                  "Beta(1, 1), on the proportion.",
                                   bounds.low, bounds.high));
-    html += paragraph("Bias to an interval was tested by the exact binomial test of first against second "
-                      "interval. Sensitivity is "
-                      "d' = sqrt(2) z(Pc) from the proportion Pc choosing the reference, and d' = (z(H) - "
-                      "z(F)) / sqrt(2) freed "
-                      "from that bias, H and F being the proportions choosing the first interval where it "
-                      "showed the reference and "
-                      "where it did not. Response times are medians with quartiles. Participants with and "
-                      "without expertise were "
-                      "compared in their shares of errors by the exact rank-sum test with mid-ranks, and by "
-                      "Welch's t-test.");
+    html += paragraph(fmt::format("The verdicts take the participants as the sample: a shader differs where "
+                                  "the sign-flip p, by Holm's method "
+                                  "over all rows of the shaders' table, is at most {0}; it is as good where "
+                                  "it does not differ and both "
+                                  "one-sided t-tests are significant, on average only where a distance, an "
+                                  "azimuth or a condition differs "
+                                  "beyond the bounds or a distance or azimuth is not within them by itself. "
+                                  "Below {1} participants no sign-flip "
+                                  "test reaches {0}, and nothing is decided; nor by a p drawn at random "
+                                  "within three of its standard errors of "
+                                  "{0}.",
+                                  alpha, fewest_participants(1)));
+    bool normal = false;
+    for (const ExpertiseComparison& comparison : analysis.expertise) {
+        normal |= comparison.rank_sum && !comparison.rank_sum->exact;
+    }
+    html += paragraph(fmt::format(
+        "Bias to an interval was tested with the participants as the sample: within each condition that a "
+        "participant answered in both orders, the surplus of the reference where it came first over where it "
+        "came "
+        "second, summed, went into the sign-flip test, so that a preference does not look like a bias; the "
+        "pooled "
+        "exact binomial test of first against second interval stands beside. Single participants' answers "
+        "were "
+        "tested for the order by Fisher's exact test. Sensitivity is d' = sqrt(2) z(Pc) from the proportion "
+        "Pc "
+        "choosing the reference, and d' = (z(H) - z(F)) / sqrt(2) freed from that bias, H and F being the "
+        "proportions "
+        "choosing the first interval where it showed the reference and where it did not. Response times are "
+        "medians "
+        "with quartiles. Participants with and without expertise were compared in their shares of errors by "
+        "the {} "
+        "rank-sum test with mid-ranks, and by Welch's t-test.",
+        normal ? "exact (normal approximation where the splits are too many)" : "exact"));
     html += paragraph(fmt::format("Computed with skin2afc {} (Boost.Math {}.{}).", SKIN2AFC_VERSION,
                                   BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000));
     return html;

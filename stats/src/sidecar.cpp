@@ -70,6 +70,12 @@ std::optional<std::int64_t> whole(const json& object, const fs::path& file, cons
     if (value && *value < least) {
         throw support::input_error("{}: {}: expected {}, found {}", file.string(), key, expected, *value);
     }
+    // More than any session holds; sums of such numbers could overflow.
+    constexpr std::int64_t most = 1'000'000'000;
+    if (value && *value > most) {
+        throw support::input_error("{}: {}: expected {} and at most {}, found {}", file.string(), key,
+                                   expected, most, *value);
+    }
     return value;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <map>
+#include <set>
 #include <span>
 #include <tuple>
 
@@ -118,44 +119,6 @@ void read_participant(Study& study, const fs::path& folder, const fs::path& subj
     }
 }
 
-/// Set the runs aside whose protocol is not that of most runs.
-void check_protocols(Study& study, const fs::path& folder, bool mixed_allowed) {
-    const auto key = [](const Run& run) {
-        return std::pair(run.sidecar.protocol, run.sidecar.protocol_digest);
-    };
-    std::map<std::pair<std::string, std::string>, std::size_t> counts;
-    for (const Run& run : study.runs) {
-        if (!run.sidecar.protocol.empty() || !run.sidecar.protocol_digest.empty()) {
-            ++counts[key(run)];
-        }
-    }
-    study.protocols = counts.size();
-    if (mixed_allowed || counts.size() < 2) {
-        return;
-    }
-    const auto most = std::max_element(counts.begin(), counts.end(),
-                                       [](const auto& a, const auto& b) { return a.second < b.second; });
-    const auto other = [&](const Run& run) {
-        const auto found = counts.find(key(run));
-        return found != counts.end() && found != most;
-    };
-    for (const Run& run : study.runs) {
-        if (other(run)) {
-            const auto sidecar = fs::path(run.file).replace_extension(".json");
-            const auto& [name, digest] = most->first;
-            const bool names = run.sidecar.protocol != name;
-            study.bad_files.push_back(
-                {run.file,
-                 fmt::format("{}: {}: expected \"{}\" as in {} runs, found \"{}\" "
-                             "(--mixed-protocols takes them together)",
-                             (folder / sidecar).string(), names ? "Protocol" : "ProtocolDigest",
-                             (names ? name : digest).substr(0, 64), most->second,
-                             (names ? run.sidecar.protocol : run.sidecar.protocol_digest).substr(0, 64))});
-        }
-    }
-    std::erase_if(study.runs, other);
-}
-
 /// Choose among one participant's runs.
 void choose_among(std::span<Run> runs) {
     Run* chosen = nullptr;
@@ -198,6 +161,50 @@ void choose_runs(std::vector<Run>& runs) {
     }
 }
 
+namespace {
+
+/// Choose the runs that count, and set those aside whose protocol is not that of most of them.
+void check_protocols(Study& study, const fs::path& folder, bool mixed_allowed) {
+    const auto key = [](const Run& run) {
+        return std::pair(run.sidecar.protocol, run.sidecar.protocol_digest);
+    };
+    // Runs that would not count have a protocol, but no vote on which is the study's.
+    choose_runs(study.runs);
+    std::map<std::pair<std::string, std::string>, std::size_t> counts;
+    for (const Run& run : study.runs) {
+        if (!run.sidecar.protocol.empty() || !run.sidecar.protocol_digest.empty()) {
+            counts[key(run)] += run.used ? 1 : 0;
+        }
+    }
+    if (mixed_allowed || counts.size() < 2) {
+        return;
+    }
+    const auto most = std::max_element(counts.begin(), counts.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    const auto other = [&](const Run& run) {
+        const auto found = counts.find(key(run));
+        return found != counts.end() && found != most;
+    };
+    for (const Run& run : study.runs) {
+        if (other(run)) {
+            const auto sidecar = fs::path(run.file).replace_extension(".json");
+            const auto& [name, digest] = most->first;
+            const bool names = run.sidecar.protocol != name;
+            study.bad_files.push_back(
+                {run.file,
+                 fmt::format("{}: {}: expected \"{}\" as in {} runs, found \"{}\" "
+                             "(--mixed-protocols takes them together)",
+                             (folder / sidecar).string(), names ? "Protocol" : "ProtocolDigest",
+                             (names ? name : digest).substr(0, 64), most->second,
+                             (names ? run.sidecar.protocol : run.sidecar.protocol_digest).substr(0, 64))});
+        }
+    }
+    std::erase_if(study.runs, other);
+    choose_runs(study.runs);
+}
+
+} // namespace
+
 Study read_study(const fs::path& folder, const Leniency& leniency) {
     if (std::error_code ignored; !is_folder(folder)) {
         throw support::input_error("{}: expected a study's folder, found {}", folder.string(),
@@ -217,6 +224,18 @@ Study read_study(const fs::path& folder, const Leniency& leniency) {
     std::stable_sort(study.runs.begin(), study.runs.end(), [](const Run& a, const Run& b) {
         return std::tie(a.participant, a.number) < std::tie(b.participant, b.number);
     });
+    for (std::size_t i = 1; i < study.runs.size(); ++i) {
+        const Run &before = study.runs[i - 1], &run = study.runs[i];
+        if (before.participant == run.participant && before.number == run.number) {
+            study.bad_files.push_back(
+                {run.file, fmt::format("{}: expected a run of its own, found run {} in {} too",
+                                       (folder / run.file).string(), run.number, before.file)});
+        }
+    }
+    std::erase_if(study.runs, [&](const Run& run) {
+        return std::any_of(study.bad_files.begin(), study.bad_files.end(),
+                           [&](const BadFile& bad) { return bad.file == run.file; });
+    });
     check_protocols(study, folder, leniency.mixed_protocols);
     if (!leniency.skip_bad && !study.bad_files.empty()) {
         const std::size_t others = study.bad_files.size() - 1;
@@ -230,7 +249,13 @@ Study read_study(const fs::path& folder, const Leniency& leniency) {
             "{}: expected logs sub-<label>/beh/sub-<label>{}[_run-<number>]{}, found none{}", folder.string(),
             task, log_suffix, study.bad_files.empty() ? "" : " that can be read");
     }
-    choose_runs(study.runs);
+    std::set<std::pair<std::string, std::string>> protocols;
+    for (const Run& run : study.runs) {
+        if (run.used && !(run.sidecar.protocol.empty() && run.sidecar.protocol_digest.empty())) {
+            protocols.insert({run.sidecar.protocol, run.sidecar.protocol_digest});
+        }
+    }
+    study.protocols = protocols.size();
     const Contents found = contents(study);
     if (found.trials == found.unanswered) {
         throw support::input_error("{}: expected at least one answer, found none in {} logs", folder.string(),

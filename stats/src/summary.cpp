@@ -16,7 +16,7 @@ namespace {
 using nlohmann::ordered_json;
 
 // Raised whenever a formula changes in a way that changes a number.
-constexpr int formulas_version = 1;
+constexpr int formulas_version = 2;
 
 /// A number; infinities as texts, and null for what is missing, as JSON has neither.
 ordered_json number(double value) {
@@ -58,7 +58,7 @@ ordered_json groups_json(const Analysis& analysis) {
                            {"group", group.by},
                            {"level", group.level}};
         if (group.figures) {
-            entry["verdict"] = verdict_words(*group.figures, analysis.settings.bounds);
+            entry["verdict"] = verdict_words(group, analysis.settings.bounds);
         }
         add_figures(entry, group.tally, group.figures);
         all.push_back(std::move(entry));
@@ -74,7 +74,8 @@ ordered_json order_json(const Analysis& analysis) {
             {"p_first", binomial_two_sided_p(all.first_chosen(), all.n())},
             {"d_prime", number(s.d_prime)},
             {"d_prime_order", number(s.d_prime_order)},
-            {"order_bias", number(s.bias)}};
+            {"order_bias", number(s.bias)},
+            {"sentence", order_sentence(analysis)}};
 }
 
 ordered_json quality_json(const Analysis& analysis) {
@@ -90,6 +91,7 @@ ordered_json quality_json(const Analysis& analysis) {
              {"errors", one.errors},
              {"first_chosen", one.order.first_chosen()},
              {"p_first", one.p_first},
+             {"p_order", one.both_orders.n() > 0 ? number(one.p_order) : ordered_json()},
              {"always_same_interval", one.always_same_interval()},
              {"favours_interval", one.favours_interval()},
              {"rt_median", number(one.median_response_time_s)},
@@ -164,8 +166,9 @@ std::string summary_json(const Analysis& analysis) {
         {"version", formulas_version},
         {"chi_square", "one-sample, against half and half, df 1, no continuity correction"},
         {"p_exact", "two-sided binomial, outcomes no more probable than the observed one"},
-        {"p_holm", "Holm 1979, over all rows tested"},
-        {"q_bh", "Benjamini and Hochberg 1995, over all rows tested"},
+        {"p_holm", "Holm 1979 of p_chi_square, over all rows tested"},
+        {"p_sign_flip_holm", "Holm 1979 of p_sign_flip, over all rows tested; the verdicts follow it"},
+        {"q_bh", "Benjamini and Hochberg 1995 of p_chi_square, over all rows tested"},
         {"ci", "Wilson 1927, 95 %"},
         {"ci_exact", "Clopper and Pearson 1934, 95 %"},
         {"p_equivalence", "two one-sided exact binomial tests"},
@@ -173,6 +176,9 @@ std::string summary_json(const Analysis& analysis) {
         {"bf01", "1/2 against Beta(1, 1)"},
         {"p_sign_flip",
          "over participants, all sign patterns, or seeded draws where p_sign_flip_error is not 0"},
+        {"ci_t", "Student's t over the participants' proportions, 95 %, cut to [0, 1]"},
+        {"p_first_sign_flip",
+         "over participants: surpluses for the first interval within conditions answered in both orders"},
         {"mixed", "logistic, random intercept, adaptive Gauss-Hermite quadrature"}};
     summary["conditions"] = conditions_json(analysis.rows);
 
@@ -181,6 +187,7 @@ std::string summary_json(const Analysis& analysis) {
         answers.push_back({{"headline", verdict.headline}, {"evidence", verdict.evidence}});
     }
     summary["verdicts"] = std::move(answers);
+    summary["participant_findings"] = participant_findings(analysis.rows);
     summary["disagreements"] = disagreements(analysis);
     summary["settings"] = {{"equivalence_low", analysis.settings.bounds.low},
                            {"equivalence_high", analysis.settings.bounds.high},

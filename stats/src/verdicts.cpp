@@ -9,18 +9,10 @@
 #include <fmt/format.h>
 
 #include "labels.h"
+#include "outcome.h"
 
 namespace stats {
 namespace {
-
-bool disagrees(const Figures& figures) {
-    return (figures.chi_square.p <= alpha) != (figures.participant.sign_flip.p <= alpha);
-}
-
-/// Equivalence over participants where that can be tested, else over answers.
-bool equivalent(const Figures& figures) {
-    return figures.participant.p_equivalence.value_or(figures.p_equivalence) <= alpha;
-}
 
 std::string mixed_text(const std::optional<MixedModel>& model) {
     return model ? fmt::format("mixed model p {}", p_phrase(model->p)) : "no mixed model can be estimated";
@@ -35,105 +27,211 @@ std::string bayes_text(double log_bf01) {
     return fmt::format("Bayes factor {} for {}", times, log_bf01 >= 0 ? "no preference" : "a preference");
 }
 
+/// A distance, an azimuth or a condition of one pair of shaders, with its outcome.
+struct Place {
+    std::string name;
+    Outcome outcome;
+    bool condition = false;
+};
+
+/// All places that have answers, but not all of the pair's: those would say the same again.
+std::vector<Place> places_of(const Analysis& analysis, const GroupRow& pair) {
+    std::vector<Place> places;
+    for (const GroupRow& group : analysis.groups) {
+        if (group.reference == pair.reference && group.test == pair.test && group.by != "all" &&
+            group.figures && group.tally.n < pair.tally.n) {
+            places.push_back(
+                {group.by == "distance" ? distance_label(group.level) : group.level + "\u00b0 azimuth",
+                 outcome_of(*group.figures)});
+        }
+    }
+    for (const Row& row : analysis.rows) {
+        const Condition& c = row.condition;
+        if (c.reference == pair.reference && c.test == pair.test && row.figures &&
+            row.tally.n < pair.tally.n) {
+            places.push_back(
+                {fmt::format("{} - {}", distance_label(c.distance), azimuth_label(c.azimuth_deg)),
+                 outcome_of(*row.figures), true});
+        }
+    }
+    return places;
+}
+
+/// The places for which a condition holds, with who is preferred there: distances and azimuths by name,
+/// single conditions only where no distance or azimuth shows it. Empty where there are none.
+template <typename Holds>
+std::string named_places(const std::vector<Place>& places, const GroupRow& pair, Holds holds) {
+    for (const bool condition : {false, true}) {
+        std::vector<std::string> names;
+        for (const Place& place : places) {
+            if (place.condition == condition && holds(place.outcome)) {
+                names.push_back(fmt::format(
+                    "{} ({} preferred)", place.name,
+                    shader_label(place.outcome.reference_preferred ? pair.reference : pair.test)));
+            }
+        }
+        if (!names.empty()) {
+            return listed(std::move(names));
+        }
+    }
+    return "";
+}
+
+std::string range(const EquivalenceBounds& bounds) {
+    return fmt::format("{} to {}", bounds.low, bounds.high);
+}
+
+std::string differing_headline(const GroupRow& pair, const Outcome& outcome, const std::vector<Place>& places,
+                               const EquivalenceBounds& bounds) {
+    const std::string test = shader_label(pair.test), reference = shader_label(pair.reference);
+    std::string text = fmt::format("{} differs from {}: {} is preferred", test, reference,
+                                   outcome.reference_preferred ? reference : test);
+    if (outcome.within_bounds) {
+        text += ", yet within the bounds of " + range(bounds);
+    }
+    if (!pair.figures->participant.order) {
+        text += " - or the interval it stood in, as no participant answered a condition in both orders";
+    }
+    const std::string opposite = named_places(places, pair, [&](const Outcome& other) {
+        return other.differs() && other.reference_preferred != outcome.reference_preferred;
+    });
+    return text + (opposite.empty() ? "" : ", but not at " + opposite);
+}
+
+/// As good holds for every distance and azimuth, or on average only.
+std::string equal_headline(const GroupRow& pair, const std::vector<Place>& places,
+                           const EquivalenceBounds& bounds) {
+    const std::string contradicted =
+        named_places(places, pair, [](const Outcome& other) { return other.differs_beyond_bounds(); });
+    std::vector<std::string> unshown;
+    for (const Place& place : places) {
+        if (!place.condition && !place.outcome.within_bounds && !place.outcome.differs()) {
+            unshown.push_back(place.name);
+        }
+    }
+    const bool everywhere = contradicted.empty() && unshown.empty();
+    std::string text = fmt::format("{}{} is as good as {} within the bounds of {}",
+                                   everywhere ? "" : "On average over conditions, ", shader_label(pair.test),
+                                   shader_label(pair.reference), range(bounds));
+    if (!contradicted.empty()) {
+        text += ", but not at " + contradicted;
+    }
+    if (!unshown.empty()) {
+        text += "; taken alone, it is not shown at " + listed(std::move(unshown));
+    }
+    return text;
+}
+
+std::string open_headline(const GroupRow& pair, const Outcome& outcome, const std::vector<Place>& places,
+                          std::size_t tests) {
+    const bool untestable = outcome.kind == Outcome::Kind::untestable;
+    std::string text =
+        fmt::format("{} against {} {}: {}", shader_label(pair.test), shader_label(pair.reference),
+                    untestable ? "cannot be tested" : "is undecided",
+                    outcome.why.empty() ? "neither a difference nor equality is shown" : outcome.why);
+    const std::size_t participants = pair.figures->participant.participants;
+    if (!untestable && participants < fewest_participants(tests)) {
+        text += fmt::format(" ({} cannot show a difference over {} tests; it takes {})",
+                            participants_text(participants), tests, fewest_participants(tests));
+    }
+    const std::string differing =
+        named_places(places, pair, [](const Outcome& other) { return other.differs(); });
+    return text + (differing.empty() ? "" : "; they differ at " + differing);
+}
+
+std::string evidence(const GroupRow& pair, std::size_t tests) {
+    const Figures& f = *pair.figures;
+    const ParticipantLevel& level = f.participant;
+    std::string text =
+        fmt::format("{} was chosen in {:.1f} % of answers", shader_label(pair.reference), 100 * f.proportion);
+    if (level.mean) {
+        text += fmt::format("; mean of the {} {:.1f} % (95 % t interval {:.1f} to {:.1f} %)",
+                            participants_text(level.participants), 100 * level.mean->mean,
+                            100 * level.mean->ci.low, 100 * level.mean->ci.high);
+    } else {
+        text += fmt::format(", by {}: no interval over participants", participants_text(level.participants));
+    }
+    text +=
+        fmt::format(". Participants as the sample: sign-flip p {}, by Holm's method over the {} rows of the "
+                    "shaders' table p {}; equivalence {}; {}",
+                    sign_flip_phrase(level.sign_flip), tests, p_phrase(level.p_holm),
+                    level.p_equivalence ? "p " + p_phrase(*level.p_equivalence) : "cannot be tested",
+                    mixed_text(level.mixed));
+    return text + fmt::format(". As if all answers were independent (pooled): Wilson 95 % interval {:.1f} to "
+                              "{:.1f} %, chi-square p {}, equivalence p {}, {}.",
+                              100 * f.ci.low, 100 * f.ci.high, p_phrase(f.chi_square.p),
+                              p_phrase(f.p_equivalence), bayes_text(f.log_bf01));
+}
+
 } // namespace
 
-std::vector<std::string> disagreements(const Analysis& analysis) {
-    std::vector<std::string> sentences;
-    const auto shaders = overall(analysis.groups);
-    for (const GroupRow* group : shaders) {
-        if (!group->figures || !disagrees(*group->figures)) {
-            continue;
-        }
-        const ParticipantLevel& level = group->figures->participant;
-        sentences.push_back(fmt::format(
-            "Pooled and participant-level tests disagree on {} against {} over all conditions: with all "
-            "answers as if independent p {}, with the {} participants as the sample p {} ({}sign-flip; {}). "
-            "Answers of one participant are not independent: rely on the participant-level test.",
-            shader_label(group->test), shader_label(group->reference), p_phrase(group->figures->chi_square.p),
-            level.participants, p_phrase(level.sign_flip.p), level.sign_flip.exact ? "exact " : "",
-            mixed_text(level.mixed)));
+std::string verdict_words(const GroupRow& group, const EquivalenceBounds& bounds) {
+    if (!group.figures) {
+        return "n/a";
     }
-    if (sentences.empty() && !shaders.empty()) {
-        sentences.push_back("Pooled and participant-level tests agree on every shader over all conditions.");
+    const Outcome outcome = outcome_of(*group.figures);
+    switch (outcome.kind) {
+    case Outcome::Kind::differs:
+        return fmt::format("differs, {} preferred{}",
+                           shader_label(outcome.reference_preferred ? group.reference : group.test),
+                           outcome.within_bounds ? ", but within " + range(bounds) : "");
+    case Outcome::Kind::as_good:
+        return "as good within " + range(bounds);
+    case Outcome::Kind::untestable:
+        return "cannot be tested";
+    case Outcome::Kind::undecided:
+        break;
     }
-
-    // Single conditions have few answers a participant, so that their participant-level tests find less.
-    std::vector<std::string> places;
-    for (const Row& row : analysis.rows) {
-        if (row.figures && disagrees(*row.figures)) {
-            places.push_back(fmt::format(
-                "{} at {} - {} (pooled p {}, sign-flip p {})", shader_label(row.condition.test),
-                distance_label(row.condition.distance), azimuth_label(row.condition.azimuth_deg),
-                p_phrase(row.figures->chi_square.p), p_phrase(row.figures->participant.sign_flip.p)));
-        }
-    }
-    if (!places.empty()) {
-        sentences.push_back(fmt::format("In {} of {} single conditions they disagree: {}.", places.size(),
-                                        analysis.rows.size(), listed(places)));
-    }
-    return sentences;
-}
-
-bool any_shader_disagrees(const Analysis& analysis) {
-    const auto shaders = overall(analysis.groups);
-    return std::any_of(shaders.begin(), shaders.end(),
-                       [](const GroupRow* group) { return group->figures && disagrees(*group->figures); });
-}
-
-std::string verdict_words(const Figures& figures, const EquivalenceBounds& bounds) {
-    const bool differs = figures.participant.sign_flip.p <= alpha, same = equivalent(figures);
-    const std::string range = fmt::format("{} to {}", bounds.low, bounds.high);
-    if (differs) {
-        return same ? "differs, but within " + range : "differs";
-    }
-    return same ? "as good within " + range : "undecided";
+    return "undecided";
 }
 
 std::vector<Verdict> verdicts(const Analysis& analysis) {
-    std::vector<Verdict> result;
+    const auto tests = static_cast<std::size_t>(
+        std::count_if(analysis.groups.begin(), analysis.groups.end(),
+                      [](const GroupRow& group) { return group.figures.has_value(); }));
     const EquivalenceBounds& bounds = analysis.settings.bounds;
-    for (const GroupRow* group : overall(analysis.groups)) {
-        if (!group->figures) {
+    std::vector<Verdict> result;
+    for (const GroupRow* pair : overall(analysis.groups)) {
+        if (!pair->figures) {
             continue;
         }
-        const Figures& f = *group->figures;
-        const ParticipantLevel& level = f.participant;
-        const bool differs = level.sign_flip.p <= alpha, same = equivalent(f);
-        const std::string test = shader_label(group->test), reference = shader_label(group->reference);
-        std::string headline =
-            differs ? fmt::format("{} differs from {}", test, reference)
-            : same  ? fmt::format("{} is as good as {}", test, reference)
-                    : fmt::format("{} against {} is undecided: neither a difference nor equality "
-                                   "is shown",
-                                  test, reference);
-        if (same) {
-            headline += fmt::format("{} within the bounds of {} to {}", differs ? ", yet" : "", bounds.low,
-                                    bounds.high);
-        }
-        std::string evidence = fmt::format(
-            "{} was chosen in {:.1f} % of answers (95 % interval {:.1f} to {:.1f} %). Participants as the "
-            "sample: sign-flip p {}, {}",
-            reference, 100 * f.proportion, 100 * f.ci.low, 100 * f.ci.high, p_phrase(level.sign_flip.p),
-            mixed_text(level.mixed));
-        if (level.p_equivalence) {
-            evidence += fmt::format(", equivalence p {}", p_phrase(*level.p_equivalence));
-        }
-        evidence += fmt::format(". Answers as the sample: chi-square p {}, equivalence p {}, {}.",
-                                p_phrase(f.chi_square.p), p_phrase(f.p_equivalence), bayes_text(f.log_bf01));
-        result.push_back({headline + ".", evidence});
+        const Outcome outcome = outcome_of(*pair->figures);
+        const std::vector<Place> places = places_of(analysis, *pair);
+        const std::string headline = outcome.differs() ? differing_headline(*pair, outcome, places, bounds)
+                                     : outcome.kind == Outcome::Kind::as_good
+                                         ? equal_headline(*pair, places, bounds)
+                                         : open_headline(*pair, outcome, places, tests);
+        result.push_back({headline + ".", evidence(*pair, tests)});
     }
     return result;
 }
 
 std::string order_sentence(const Analysis& analysis) {
     const OrderTally all = all_orders(analysis);
-    const double p = binomial_two_sided_p(all.first_chosen(), all.n());
-    return fmt::format(
-        "The first interval was chosen in {} of {} answers ({:.1f} %; exact p {}): {}.", all.first_chosen(),
-        all.n(), 100 * static_cast<double>(all.first_chosen()) / static_cast<double>(all.n()), p_phrase(p),
-        p > alpha                          ? "no bias to either interval is shown"
-        : 2 * all.first_chosen() > all.n() ? "a bias to the first interval"
-                                           : "a bias to the second interval");
+    std::string text =
+        fmt::format("The first interval was chosen in {} of {} answers ({:.1f} %)", all.first_chosen(),
+                    all.n(), 100 * static_cast<double>(all.first_chosen()) / static_cast<double>(all.n()));
+    std::vector<Tally> participants;
+    for (const ParticipantQuality& one : analysis.participants) {
+        participants.push_back(one.first_interval);
+    }
+    SignFlipLimits limits;
+    limits.seed = analysis.settings.seed;
+    const auto bias = order_bias(participants, limits);
+    if (!bias) {
+        return text +
+               ": a bias to an interval cannot be separated from a preference, as no participant answered "
+               "a condition in both orders.";
+    }
+    text += fmt::format("; freed from preference, the mean of {} {:.1f} %",
+                        participants_text(bias->participants), 100 * bias->first_share);
+    if (bias->participants < fewest_participants(1)) {
+        return text + fmt::format(": too few to test; it takes {}.", fewest_participants(1));
+    }
+    return text + fmt::format(" (sign-flip p {}): {}.", sign_flip_phrase(bias->sign_flip),
+                              bias->sign_flip.p > alpha ? "no bias to either interval is shown"
+                              : bias->first_share > 0.5 ? "a bias to the first interval"
+                                                        : "a bias to the second interval");
 }
 
 } // namespace stats

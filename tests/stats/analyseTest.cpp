@@ -104,6 +104,15 @@ TEST(AnalyseTest, aFileInTheFoldersPlaceIsRefused) {
     EXPECT_EQ(read_file(folder.path() / "out"), "mine");
 }
 
+TEST(AnalyseTest, aFolderInAFilesPlaceIsRefusedBeforeAnythingIsWritten) {
+    const StudyFolder folder;
+    folder.write_log("01", log_text("r"));
+    const fs::path out = folder.path() / "out";
+    fs::create_directories(out / "table2.tsv");
+    EXPECT_THROW(analyse(folder.path(), out), support::InputError);
+    EXPECT_EQ(files_in(out), 1u);
+}
+
 TEST(AnalyseTest, aMissingGnuplotIsOneClearFailure) {
     const StudyFolder folder;
     folder.write_log("01", log_text("r"));
@@ -121,7 +130,7 @@ TEST(AnalyseTest, figureShowsEveryShaderAndPlace) {
     folder.write_published_logs();
     const std::string svg = stats::figure8(make_table(stats::read_study(folder.path())), "");
     for (const char* part : {"No SSS", "SS Jittered", "SS Full", "0\u00b0", "150\u00b0", "Far", "Near",
-                             "Zoom", "Proportion choosing TS"}) {
+                             "Zoom", "Proportion choosing TS", "pooled Wilson 95 %"}) {
         EXPECT_NE(svg.find(part), std::string::npos) << part;
     }
     // 3 shaders at 4 azimuths and 3 distances, and 3 in the legend; each marker has its shape's number.
@@ -177,6 +186,12 @@ TEST(AnalyseTest, boundsAreTheUsers) {
                  support::InputError);
     EXPECT_THROW(analyse({folder.path().string(), "--out", out.string(), "--bounds", "0,1"}),
                  CLI::ValidationError);
+    // Bounds that leave out half and half would call a preference no preference.
+    for (const char* bounds : {"0.6,0.9", "0.1,0.4", "0.5,0.6"}) {
+        EXPECT_THROW(analyse({folder.path().string(), "--out", out.string(), "--bounds", bounds}),
+                     support::InputError)
+            << bounds;
+    }
 }
 
 TEST(AnalyseTest, powerNeedsNoLogs) {
@@ -189,6 +204,11 @@ TEST(AnalyseTest, powerNeedsNoLogs) {
     EXPECT_TRUE(read_file(out / "power.tsv").starts_with("participants\ttrials\tproportion\tspread\tpower"));
 }
 
+TEST(AnalyseTest, powerTakesNoStudy) {
+    const StudyFolder folder;
+    EXPECT_THROW(analyse({folder.path().string(), "--power"}), support::InputError);
+}
+
 TEST(AnalyseTest, studyAndOutAreRequiredOtherwise) {
     EXPECT_THROW(analyse({"--out", "x"}), CLI::RequiredError);
     EXPECT_THROW(analyse({"x"}), CLI::RequiredError);
@@ -199,7 +219,7 @@ TEST(AnalyseTest, oneAnswerIsEnough) {
     folder.write_log("01", log_text("r"));
     const fs::path out = folder.path() / "out";
     const std::string text = analyse(folder.path(), out);
-    EXPECT_NE(text.find("undecided"), std::string::npos);
+    EXPECT_NE(text.find("cannot be tested: with 1 participant,"), std::string::npos);
     const auto row = nlohmann::json::parse(read_file(out / "summary.json"))["shaders"][0];
     EXPECT_EQ(row["p_sign_flip"], 1);
     EXPECT_EQ(row["mixed_intercept"], nullptr);

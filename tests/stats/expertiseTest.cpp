@@ -3,6 +3,8 @@
 
 #include <stats/expertise.h>
 
+#include <map>
+
 #include <gtest/gtest.h>
 
 #include <stats/analysis.h>
@@ -64,6 +66,29 @@ TEST(ExpertiseTest, findsItsColumnsInEitherFile) {
     EXPECT_EQ(compared[0].without.participants, 1u);
     EXPECT_FALSE(compared[1].rank_sum);
     EXPECT_NE(expertise_sentence(compared[1]).find("nothing to compare"), std::string::npos);
+}
+
+TEST(ExpertiseTest, denialsAreNoExpertise) {
+    const StudyFolder folder;
+    write_participants(folder);
+    folder.write("participants.tsv",
+                 "participant_id\texpertise\nsub-01\t n\nsub-02\tno \nsub-03\tNone of it\n"
+                 "sub-04\tno, not really\nsub-05\tnotation\nsub-06\t y \n");
+    const auto questions = stats::read_expertise(folder.path());
+    ASSERT_EQ(questions.size(), 1u);
+    const std::map<std::string, bool> expected{{"01", false}, {"02", false}, {"03", false},
+                                               {"04", false}, {"05", true},  {"06", true}};
+    EXPECT_EQ(questions[0].by_participant, expected);
+}
+
+TEST(ExpertiseTest, aParticipantHasOneRow) {
+    const StudyFolder folder;
+    write_participants(folder);
+    folder.write("participants.tsv", "participant_id\texpertise\nsub-01\tyes\nsub-02\tno\nsub-01\tno\n");
+    EXPECT_NE(message_of<support::InputError>([&] {
+                  stats::read_expertise(folder.path());
+              }).find("participants.tsv:4: expected a participant_id of its own, found sub-01 again"),
+              std::string::npos);
 }
 
 TEST(ExpertiseTest, aStudyWithoutQuestionsHasNone) {

@@ -17,7 +17,9 @@ using stats::Row;
 std::vector<Row> rows_of(const std::vector<std::int64_t>& counts) {
     std::vector<stats::Answers> answers;
     for (const auto count : counts) {
-        answers.push_back({{32, count}, {}, {}, {}});
+        stats::Answers one;
+        one.tally = {32, count};
+        answers.push_back(one);
     }
     const auto figures = stats::figures_of(answers);
     std::vector<Row> rows;
@@ -32,11 +34,14 @@ TEST(FindingsTest, sayWhatThePaperSays) {
     folder.write_published_logs();
     const auto sentences = findings(make_table(stats::read_study(folder.path())));
     ASSERT_EQ(sentences.size(), 4u);
-    EXPECT_TRUE(sentences[0].starts_with("No SSS differs from TS in all 12 conditions")) << sentences[0];
-    EXPECT_TRUE(sentences[1].starts_with("SS Jittered differs from TS in all 12 conditions")) << sentences[1];
-    EXPECT_TRUE(sentences[2].starts_with(
-        "SS Full shows no significant difference from TS in 11 of 12 conditions (p > "
-        "0.05); it differs in Zoom - 110\u00b0 (p = 0.034)."))
+    EXPECT_TRUE(sentences[0].starts_with("As the paper tests, No SSS differs from TS in all 12 conditions"))
+        << sentences[0];
+    EXPECT_TRUE(
+        sentences[1].starts_with("As the paper tests, SS Jittered differs from TS in all 12 conditions"))
+        << sentences[1];
+    EXPECT_TRUE(sentences[2].starts_with("As the paper tests, SS Full shows no significant difference from "
+                                         "TS in 11 of 12 conditions (pooled p > "
+                                         "0.05); it differs in Zoom - 110\u00b0 (p = 0.034)."))
         << sentences[2];
     EXPECT_NE(sentences[3].find("25 uncorrected, 24 after Holm's correction, 25 after"), std::string::npos)
         << sentences[3];
@@ -58,14 +63,50 @@ TEST(FindingsTest, sayWhichShaderWasPreferred) {
 
 TEST(FindingsTest, nameTheSmallerPart) {
     const auto mostly = findings(rows_of({32, 32, 16})).front();
-    EXPECT_NE(mostly.find("in 2 of 3 conditions (p \u2264 0.05), but not in Far - 2\u00b0 (p = 1.000)"),
-              std::string::npos)
+    EXPECT_NE(
+        mostly.find("in 2 of 3 conditions (pooled p \u2264 0.05), but not in Far - 2\u00b0 (p = 1.000)"),
+        std::string::npos)
         << mostly;
     const auto none = findings(rows_of({16, 17}));
     EXPECT_NE(none.front().find("no significant difference from TS in any of the 2 conditions"),
               std::string::npos);
     EXPECT_NE(none.back().find("None is significant"), std::string::npos) << none.back();
     EXPECT_EQ(findings(rows_of({16})).size(), 1u);
+}
+
+TEST(FindingsTest, participantsAreTheSampleByHolm) {
+    // Each of 16 participants: always the reference at far, 9 of 16 participants at near.
+    const StudyFolder folder;
+    for (int participant = 0; participant < 16; ++participant) {
+        folder.write_log(fmt::format("{:02}", participant),
+                         log_header + log_line(1, 'r') +
+                             log_line(2, participant < 9 ? 'r' : 't', "ss_full", "near"));
+    }
+    EXPECT_EQ(
+        participant_findings(make_table(stats::read_study(folder.path()))),
+        std::vector<std::string>{"With participants as the sample (sign-flip test, Holm's method over 2 "
+                                 "conditions), SS Full differs from TS in 1 of 2 conditions: Far - 60\u00b0 "
+                                 "(TS preferred, p < 0.001)."}); // 2 * 2/2^16
+}
+
+TEST(FindingsTest, thePapersSingleDifferenceDoesNotStandOverParticipants) {
+    const StudyFolder folder;
+    folder.write_published_logs();
+    const auto rows = make_table(stats::read_study(folder.path()));
+    const auto sentences = participant_findings(rows);
+    ASSERT_EQ(sentences.size(), 3u);
+    EXPECT_TRUE(sentences[2].ends_with("SS Full differs from TS in 0 of 12 conditions.")) << sentences[2];
+}
+
+TEST(FindingsTest, tooFewParticipantsAreSaid) {
+    const StudyFolder folder;
+    for (const char* label : {"01", "02", "03", "04"}) {
+        folder.write_log(label, log_text("rrrrrr"));
+    }
+    EXPECT_EQ(
+        participant_findings(make_table(stats::read_study(folder.path()))).front(),
+        "With participants as the sample, no single condition can be tested: over 1 test, 4 participants "
+        "cannot reach significance by Holm's method; it takes 6.");
 }
 
 TEST(FindingsTest, simulatedNoticeCountsTheRuns) {

@@ -120,6 +120,27 @@ TEST(MixedModelTest, theOtherShaderHasTheOppositeEstimate) {
     EXPECT_NEAR(opposite.p, model.p, 1e-9);
 }
 
+TEST(MixedModelTest, participantsOfOneMindDoNotHideTheSummit) {
+    // Six of nine always chose the reference, one never: steep, but with a summit. R: the likelihood summed
+    // in steps of .01 over u in [-12, 12], its top by optim() and its curvature by optimHess().
+    const Tallies extreme{{6, 6}, {6, 6}, {1, 1}, {6, 5}, {1, 1}, {6, 6}, {6, 0}, {6, 6}, {6, 6}};
+    const auto model = fit_mixed_model(extreme).value();
+    EXPECT_NEAR(model.intercept, 7.557, 5e-4);
+    EXPECT_NEAR(model.sd, 7.192, 5e-4);
+    EXPECT_NEAR(model.standard_error, 6.594, 5e-4);
+    EXPECT_NEAR(model.log_likelihood, -8.893, 5e-4);
+    EXPECT_NEAR(model.log_likelihood, naive_log_likelihood(extreme, model.intercept, model.sd), 1e-9);
+}
+
+TEST(MixedModelTest, aSteepParticipantsPeakIsFound) {
+    // Of nine, only one wavers: the spread is vast. R, as above: 5.99073, 10.795, 22.73836.
+    const Tallies steep{{24, 24}, {24, 7}, {24, 24}, {13, 13}, {24, 0}, {23, 0}, {24, 0}, {5, 5}, {4, 4}};
+    const auto model = fit_mixed_model(steep).value();
+    EXPECT_NEAR(model.intercept, 5.99073, 1e-3);
+    EXPECT_NEAR(model.standard_error, 10.795, 1e-2); // numerical derivatives
+    EXPECT_NEAR(model.sd, 22.73836, 1e-3);
+}
+
 TEST(MixedModelTest, whatHasNoEstimateGivesNone) {
     EXPECT_FALSE(fit_mixed_model({}));
     EXPECT_FALSE(fit_mixed_model(Tallies{{18, 9}}));                // one participant

@@ -136,4 +136,26 @@ TEST(ParticipantTest, equivalenceIsSymmetricAndGrowsWithTheBounds) {
     EXPECT_GT(stats::equivalence_t_test(tallies, {0.45, 0.55}).value(), p);
 }
 
+TEST(ParticipantTest, theIntervalOfTheMeanIsStudents) {
+    // R: t.test(c(17,4,15,6,18,9,16,5,14,12) / 18)$conf.int
+    const std::vector<stats::Tally> example{{18, 17}, {18, 4},  {18, 15}, {18, 6},  {18, 18},
+                                            {18, 9},  {18, 16}, {18, 5},  {18, 14}, {18, 12}};
+    const auto found = stats::mean_interval(example).value();
+    EXPECT_NEAR(found.mean, 116.0 / 180, 1e-15);
+    EXPECT_NEAR(found.ci.low, 0.436499021286916, 1e-12);
+    EXPECT_NEAR(found.ci.high, 0.852389867601973, 1e-12);
+    // It stays a proportion, and needs a spread.
+    EXPECT_EQ(stats::mean_interval(std::vector<stats::Tally>{{9, 9}, {9, 8}})->ci.high, 1);
+    EXPECT_FALSE(stats::mean_interval(std::vector<stats::Tally>{{9, 4}, {18, 8}}));
+    EXPECT_FALSE(stats::mean_interval(std::vector<stats::Tally>{{9, 4}}));
+}
+
+TEST(ParticipantTest, theLeastPIsThatOfOneMind) {
+    for (std::size_t participants = 1; participants <= 12; ++participants) {
+        const std::vector<stats::Tally> one_mind(participants, {7, 7});
+        EXPECT_NEAR(stats::least_sign_flip_p(participants), stats::sign_flip(one_mind).p, 1e-15);
+    }
+    EXPECT_EQ(stats::least_sign_flip_p(100'000), 0);
+}
+
 } // namespace

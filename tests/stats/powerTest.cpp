@@ -78,6 +78,17 @@ TEST(PowerTest, oneTrialEachSimulatesTheExactTest) {
     EXPECT_EQ(again.participant_level, found.participant_level);
 }
 
+TEST(PowerTest, noStudyNeedsFewerThanSixParticipants) {
+    // 54 answers find a proportion of .7: three participants of 24, who cannot be significant as a sample.
+    PowerPlan plan;
+    plan.studies = 100;
+    const std::string text = power_report(plan).text;
+    const auto line = text.find("\n         0.7 ");
+    ASSERT_NE(line, std::string::npos) << text;
+    EXPECT_NE(text.substr(line, 70).find("54                 6\n"), std::string::npos)
+        << text.substr(line, 70);
+}
+
 TEST(PowerTest, theReportHasTableAndCurve) {
     PowerPlan plan;
     plan.studies = 100;

@@ -38,13 +38,13 @@ TEST(QualityTest, countsWhatIsMissingFastAndWrong) {
 }
 
 TEST(QualityTest, namesWhoAlwaysChoosesTheSameInterval) {
-    // The reference stands first in all of these trials.
+    // A capital: the reference was shown second, so that choosing it is choosing the second interval.
     const StudyFolder folder;
-    folder.write_log("first", log_text("rrrrrrrrrrrr"));
-    folder.write_log("second", log_text("tttttttttttt"));
-    folder.write_log("few", log_text("rrr"));
-    folder.write_log("mixed", log_text("rtrtrtrtrtrt"));
-    folder.write_log("mostly", log_text("rrrrrrrrrrrrrrrrrrtr"));
+    folder.write_log("first", log_text("rTrTrTrTrTrT"));
+    folder.write_log("second", log_text("tRtRtRtRtRtR"));
+    folder.write_log("few", log_text("rTr"));
+    folder.write_log("mixed", log_text("rRtTrRtTrRtT"));
+    folder.write_log("mostly", log_text("rTrTrTrTrTrTrTrTrTtT"));
     const auto study = stats::read_study(folder.path());
     const auto found = participant_quality(study);
     ASSERT_EQ(found.size(), 5u); // few, first, mixed, mostly, second
@@ -57,7 +57,21 @@ TEST(QualityTest, namesWhoAlwaysChoosesTheSameInterval) {
     EXPECT_TRUE(any(
         notes, "Always chose the same interval, kept: sub-first (first in 12 of 12) and sub-second (first "
                "in 0 of 12)."));
-    EXPECT_TRUE(any(notes, "Favour one interval (p < 0.001), kept: sub-mostly (first in 19 of 20)."));
+    EXPECT_TRUE(any(
+        notes, "Favour one interval, whatever it showed (p < 0.001), kept: sub-mostly (first in 19 of 20)."));
+}
+
+TEST(QualityTest, aPreferenceIsNoHabit) {
+    // Always the reference: with it always first, or mostly first, that is a preference as well as a habit.
+    const StudyFolder folder;
+    folder.write_log("mostly", log_text("rrrrrrrrrrrrrrrrrrrrR"));
+    folder.write_log("one", log_text("rrrrrrrrrrrrrrrrrrrr"));
+    const auto found = participant_quality(stats::read_study(folder.path()));
+    EXPECT_LT(found[0].p_first, 0.001);
+    for (const auto& one : found) {
+        EXPECT_EQ(one.p_order, 1);
+        EXPECT_FALSE(one.always_same_interval() || one.favours_interval()) << one.participant;
+    }
 }
 
 TEST(QualityTest, addsUpDroppedFrames) {
@@ -72,12 +86,34 @@ TEST(QualityTest, addsUpDroppedFrames) {
     EXPECT_FALSE(found[2].dropped_frames);
     EXPECT_TRUE(any(quality_notes(study, found), "Dropped frames: 7 in 2 runs."));
     const std::string text = to_tsv(found, false);
-    EXPECT_NE(text.find("\tn/a\tfalse\n"), std::string::npos);
-    EXPECT_NE(
-        text.find(
-            "sub-04\tsub-04/beh/sub-04_task-skin2afc_beh.tsv\ttrue\t2\t0\t0\t1\t1\t1\tn/a\t1.5\t4\tfalse"),
-        std::string::npos)
+    EXPECT_NE(text.find("\tn/a\tfalse\tn/a\n"), std::string::npos);
+    EXPECT_NE(text.find("sub-04\tsub-04/beh/sub-04_task-skin2afc_beh.tsv\ttrue\t2\t0\t0\t1\t1\t1\tn/"
+                        "a\t1.5\t4\tfalse\tn/a\n"),
+              std::string::npos)
         << text;
+}
+
+TEST(QualityTest, irregularRunsAreNamed) {
+    const StudyFolder folder;
+    folder.write_log("01", log_text("rtrt"));
+    folder.write_sidecar("01", R"({"TrialsPlanned": 2})");
+    folder.write_log("02", log_header + log_line(1, 'r') + log_line(7, 't'));
+    folder.write_sidecar("02", R"({"TrialsPlanned": 2})");
+    folder.write_log("03", log_header + timed(1, 'r', "1e9") + timed(2, 'r', "3600"));
+    folder.write_sidecar("03", R"({"TrialsPlanned": 2})");
+    const auto study = stats::read_study(folder.path());
+    const auto notes = quality_notes(study, participant_quality(study));
+    EXPECT_TRUE(any(notes, "More trials than planned, kept: sub-01 (4, not 2)."));
+    EXPECT_TRUE(any(notes, "Numbers of trials are missing: sub-02 (2 trials, the last number 7)."));
+    EXPECT_TRUE(any(notes, "Answers after more than an hour, kept: sub-03 (1 of 2)."));
+    EXPECT_FALSE(any(notes, "not recorded"));
+}
+
+TEST(QualityTest, timesThatAreNotRecordedAreNotFast) {
+    const StudyFolder folder;
+    folder.write_log("01", log_header + timed(1, 'r', "n/a") + timed(2, 't', "n/a"));
+    const auto study = stats::read_study(folder.path());
+    EXPECT_TRUE(any(quality_notes(study, participant_quality(study)), "Response times are not recorded"));
 }
 
 } // namespace

@@ -61,8 +61,14 @@ TEST(ReportTest, isOneSelfContainedPage) {
     for (const char* outside : {"src=\"h", "src=\"/", "href=", "url(", "@import", "<link", "<script"}) {
         EXPECT_EQ(html.find(outside), std::string::npos) << outside;
     }
-    EXPECT_LT(html.find("SS Full shows no significant difference"),
+    EXPECT_LT(html.find("As the paper tests, SS Full shows no significant difference"),
               html.find("<table")); // the answer comes first
+}
+
+TEST(ReportTest, narrowScreensAreToldToScroll) {
+    const StudyFolder folder;
+    folder.write_log("01", log_text("rt"));
+    EXPECT_NE(report_of(folder).find("content: \"Scroll sideways"), std::string::npos);
 }
 
 TEST(ReportTest, marksTheNonSignificantCells) {
@@ -119,7 +125,7 @@ TEST(ReportTest, onlyWholePngsAreShown) {
     }
 }
 
-TEST(ReportTest, disagreementsStandAtTheTop) {
+TEST(ReportTest, theAnswerStandsFirstAndDisagreementsNext) {
     const StudyFolder folder;
     int participant = 0;
     for (const std::size_t k : {17u, 4u, 15u, 6u, 18u, 9u, 16u, 5u, 14u, 12u}) {
@@ -129,7 +135,8 @@ TEST(ReportTest, disagreementsStandAtTheTop) {
     const std::string html = report_of(folder);
     const auto warning = html.find("<ul class=\"warning\">");
     ASSERT_NE(warning, std::string::npos);
-    EXPECT_LT(warning, html.find("<ul class=\"answer\">"));
+    EXPECT_LT(html.find("<ul class=\"answer\">"), warning);
+    EXPECT_LT(warning, html.find("As the paper tests"));
     EXPECT_LT(html.find("disagree on SS Full"), html.find("<h2>"));
 }
 

@@ -159,6 +159,8 @@ TEST(StudyTest, badSidecarsNameFileAndField) {
         {R"({"TrialsPlanned": 18446744073709551615})", "TrialsPlanned"},
         {R"({"TrialsPlanned": [[2]]})", "found array"},
         {R"({"DroppedFrames": -1})", "DroppedFrames: expected a whole number from 0 on, found -1"},
+        {R"({"DroppedFrames": 9223372036854775807})",
+         "DroppedFrames: expected a whole number from 0 on and at most"},
         {R"({"ProtocolDigest": 7})", "ProtocolDigest: expected a text, found 7"},
         {R"({"Simulated": "no"})", "Simulated: expected true or false, found \"no\""},
     };
@@ -222,11 +224,42 @@ TEST(StudyTest, runsOfAnotherProtocolAreNotMixedIn) {
     expect_error(folder,
                  "sub-02_task-skin2afc_beh.json: ProtocolDigest: expected \"aa\" as in 2 runs, found \"bb\"");
     EXPECT_EQ(used_runs(read_study(folder.path(), {true, false})), "01:1 03:1 04:1 ");
+    EXPECT_EQ(read_study(folder.path(), {true, false}).protocols, 1u); // the other was left out
     const Study mixed = read_study(folder.path(), {false, true});
     EXPECT_EQ(used_runs(mixed), "01:1 02:1 03:1 04:1 ");
     EXPECT_EQ(mixed.protocols, 2u);
     folder.write_sidecar("02", R"({"Protocol": "q", "ProtocolDigest": "aa"})");
     expect_error(folder, "Protocol: expected \"p\" as in 2 runs, found \"q\"");
+}
+
+TEST(StudyTest, abortedRunsDoNotChooseTheProtocol) {
+    // Participant 01 tried protocol b three times, then completed a, as 02 did.
+    const StudyFolder folder;
+    const auto write = [&](const std::string& label, const std::string& run, const std::string& answers,
+                           const std::string& digest) {
+        folder.write_log(label, log_text(answers), run);
+        folder.write_sidecar(label, fmt::format(R"({{"TrialsPlanned": 4, "ProtocolDigest": "{}"}})", digest),
+                             run);
+    };
+    for (const char* run : {"_run-01", "_run-02", "_run-03"}) {
+        write("01", run, "r", "bb");
+    }
+    write("01", "_run-04", "rrrr", "aa");
+    write("02", "_run-01", "rrrr", "aa");
+    const Study study = read_study(folder.path(), {true, false});
+    EXPECT_EQ(used_runs(study), "01:4 02:1 ");
+    EXPECT_EQ(study.bad_files.size(), 3u);
+    EXPECT_EQ(read_study(folder.path(), {false, true}).protocols, 1u); // of those that count
+}
+
+TEST(StudyTest, aRunsNumberIsItsOwn) {
+    const StudyFolder folder;
+    folder.write_log("01", log_text("rr"), "_run-1");
+    folder.write_log("01", log_text("tt"), "_run-01");
+    expect_error(folder,
+                 "expected a run of its own, found run 1 in sub-01/beh/sub-01_task-skin2afc_run-01_beh.tsv "
+                 "too");
+    EXPECT_EQ(used_runs(read_study(folder.path(), {true, false})), "01:1 ");
 }
 
 } // namespace

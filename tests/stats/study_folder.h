@@ -20,12 +20,18 @@ inline const std::string log_header =
     "trial\treference\ttest\tdistance\tazimuth_deg\tfirst\tsecond\tresponse\tchosen\t"
     "response_time\tonset_first\tonset_grey\tonset_second\n";
 
-/// A log's line, the reference shown first; answer: 'r' reference, 't' test, 'n' none.
+/// A log's line, the reference shown first; answer: 'r' reference, 't' test, 'n' none. With a capital, the
+/// reference was shown second.
 inline std::string log_line(int trial, char answer, const std::string& test = "ss_full",
                             const std::string& distance = "far", int azimuth_deg = 60) {
-    const std::string result = answer == 'r' ? "1\tts" : answer == 't' ? "2\t" + test : "n/a\tn/a";
-    return fmt::format("{}\tts\t{}\t{}\t{}\tts\t{}\t{}\t1.5\t0.25\t3.25\t5.25\n", trial, test, distance,
-                       azimuth_deg, test, result);
+    const bool first = answer >= 'a';
+    const std::string result = answer == 'r'   ? "1\tts"
+                               : answer == 't' ? "2\t" + test
+                               : answer == 'R' ? "2\tts"
+                               : answer == 'T' ? "1\t" + test
+                                               : "n/a\tn/a";
+    return fmt::format("{}\tts\t{}\t{}\t{}\t{}\t{}\t{}\t1.5\t0.25\t3.25\t5.25\n", trial, test, distance,
+                       azimuth_deg, first ? "ts" : test, first ? test : "ts", result);
 }
 
 /// A log with one trial a letter.

@@ -23,8 +23,9 @@ struct ExpertiseQuestion {
 
 /// Read the questions on expertise from participants.tsv and phenotype/*.tsv: columns whose name has one of
 /// the words expertise, expert, experience, experienced, graphics, art, arts, drawing, photography. An answer
-/// no, none, false or 0 is none; n/a and an empty one are missing; all else is expertise (yes, a list of
-/// fields). Throws support::InputError for a file that is no table with the column participant_id.
+/// that starts with the word no, none, never, false, n, f or 0 is none; n/a and an empty one are missing; all
+/// else is expertise (yes, a list of fields). Throws support::InputError for a file that is no table with the
+/// column participant_id, or that names a participant twice.
 std::vector<ExpertiseQuestion> read_expertise(const std::filesystem::path& study);
 
 /// Errors of one group of participants; an error is an answer for the test.

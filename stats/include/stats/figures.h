@@ -31,7 +31,8 @@ struct Answers {
     Tally tally;
     std::vector<Tally> participants; ///< those with an answer, one element each
     OrderTally order;
-    std::vector<double> response_times_s; ///< of answers whose time is known
+    std::vector<double> response_times_s{}; ///< of answers whose time is known
+    std::vector<Tally> first_interval{};    ///< of the participants, freed from preference
 };
 
 /// Quartiles of response times, in seconds; not numbers where none is known.
@@ -47,6 +48,8 @@ struct ParticipantLevel {
     std::optional<TTest> t_test;
     std::optional<double> p_equivalence; ///< two one-sided t-tests of the participants' proportions
     std::optional<MixedModel> mixed;
+    std::optional<MeanInterval> mean; ///< of the participants' proportions, Student's t, 95 %
+    std::optional<OrderBias> order;   ///< absent where a bias cannot be told from a preference
 };
 
 /// The figures of a row that has answers.

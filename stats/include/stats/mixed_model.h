@@ -34,9 +34,10 @@ struct MixedModel {
     double p_heterogeneity = 1;
 };
 
-/// The model by maximum likelihood, with adaptive Gauss-Hermite quadrature. Nothing where it cannot be
-/// estimated: fewer than two participants with answers, none with two answers, all answers the same, or
-/// every participant always answering the same.
+/// The model by maximum likelihood, with adaptive Gauss-Hermite quadrature, and the trapezoidal rule for
+/// participants who always answered the same. Nothing where it cannot be estimated - fewer than two
+/// participants with answers, none with two answers, all answers the same, every participant always answering
+/// the same, an sd above 25 - or not reliably: half the points give another standard error.
 std::optional<MixedModel> fit_mixed_model(std::span<const Tally> participants);
 
 } // namespace stats

@@ -8,6 +8,7 @@
 #include <span>
 
 #include <stats/equivalence.h>
+#include <stats/proportion.h>
 #include <stats/tally.h>
 
 namespace stats {
@@ -32,6 +33,10 @@ struct SignFlip {
 /// limits allow, else from seeded draws, the observed pattern counted in [Phipson2010].
 SignFlip sign_flip(std::span<const Tally> participants, const SignFlipLimits& limits = {});
 
+/// The smallest p that the sign-flip test of so many participants can have: two of their 2^participants sign
+/// patterns are the most extreme. Below six participants it is above .05.
+double least_sign_flip_p(std::size_t participants);
+
 /// One-sample t-test.
 struct TTest {
     double t = 0, df = 0, p = 1;
@@ -45,5 +50,14 @@ std::optional<TTest> t_test(std::span<const Tally> participants);
 /// p of the two. Nothing where t_test() gives nothing.
 std::optional<double> equivalence_t_test(std::span<const Tally> participants,
                                          const EquivalenceBounds& bounds = {});
+
+/// The participants' mean proportion with its confidence interval by Student's t, cut to [0, 1].
+struct MeanInterval {
+    double mean = 0;
+    Interval ci;
+};
+
+/// Nothing where t_test() gives nothing: one participant, or no spread to judge by. Needs 0 < confidence < 1.
+std::optional<MeanInterval> mean_interval(std::span<const Tally> participants, double confidence = 0.95);
 
 } // namespace stats

@@ -25,14 +25,18 @@ struct ParticipantQuality {
     std::size_t fast = 0;                ///< answers under fast_answer_s
     std::size_t errors = 0;              ///< answers that chose the test, not the reference
     OrderTally order;
-    double p_first = 1;                ///< exact two-sided test of first against second interval
+    OrderTally both_orders; ///< of conditions answered in both orders
+    Tally first_interval;   ///< choices of the first interval, freed from preference
+    double p_first = 1;     ///< exact two-sided test of first against second interval
+    double p_order = 1;     ///< order_p() of both_orders: a preference alone does not make it small
     double median_response_time_s = 0; ///< not a number where none is known
     std::optional<std::int64_t> dropped_frames;
 
     std::size_t answers() const { return trials - missing; }
-    /// Always the same interval, in enough answers not to be chance.
+    /// Always the same interval, in enough answers not to be chance, the reference first in some and second
+    /// in others: with one order only, a preference looks the same.
     bool always_same_interval() const;
-    /// Far more often one interval than the other (p < .001), though not always.
+    /// Answers that hang on the order (p_order < .001), though not always the same interval.
     bool favours_interval() const;
 };
 

@@ -48,7 +48,8 @@ struct Study {
     std::vector<Run> runs;                             ///< by participant, then by run
     std::vector<std::string> participants_without_log; ///< BIDS labels
     std::vector<BadFile> bad_files;
-    std::size_t protocols = 0; ///< different protocol files among the runs; runs that name none aside
+    std::size_t protocols =
+        0; ///< different protocol files among the runs that count; those that name none aside
 };
 
 /// What to do about logs that are not as they should be.
