@@ -74,6 +74,9 @@ private:
             }
             take_events(i + 1);
             tell_events();
+            if (setting_.between_trials) {
+                setting_.between_trials();
+            }
         }
         stage_.begin_trial(0);
     }

@@ -40,6 +40,7 @@ struct Setting {
     std::function<void(const std::vector<Event>&)> note = {}; ///< takes what happened, and writes nothing
     std::function<void()> keep = {};                          ///< called where something was noted
     std::function<void()> restore = {};                       ///< called before a failed save is tried again
+    std::function<void()> between_trials = {};                ///< called when a trial's answer is saved
     Timing* timing = nullptr;                                 ///< where to add what is measured
 };
 

@@ -40,15 +40,23 @@ struct Preparation {
     SessionPlan plan;
 };
 
-/// Lock the participant's folder, so that no second session writes there.
-FolderLock lock_participant(const SessionOptions& options) {
+/// Lock the participant's folder, so that no second session writes there; in a dry run, see whether that
+/// could be.
+std::optional<FolderLock> lock_participant(const SessionOptions& options) {
     const fs::path folder = options.study / ("sub-" + options.participant);
-    auto lock = FolderLock::attempt(folder);
-    if (!lock) {
+    std::optional<FolderLock> lock;
+    const bool free = options.dry_run ? FolderLock::is_free(folder) : [&] {
+        auto attempted = FolderLock::attempt(folder);
+        if (attempted) {
+            lock.emplace(std::move(*attempted));
+        }
+        return lock.has_value();
+    }();
+    if (!free) {
         throw support::input_error(
             "{}: expected a participant without a session, found another session at it", folder.string());
     }
-    return std::move(*lock);
+    return lock;
 }
 
 Preparation prepare(const SessionOptions& options) {
@@ -59,8 +67,10 @@ Preparation prepare(const SessionOptions& options) {
                         protocol.image.height);
     StudyFolder study(options.study, observer.has_value(), protocol.name);
     std::optional<FolderLock> lock;
-    if (!options.dry_run && !options.print_order) {
-        lock.emplace(lock_participant(options));
+    if (!options.print_order) {
+        if (auto held = lock_participant(options)) {
+            lock.emplace(std::move(*held));
+        }
     }
     SessionPlan plan = make_plan(options, protocol, stimuli.manifest_digest());
     if (stimuli.protocol_digest() != protocol.digest) {
@@ -68,9 +78,8 @@ Preparation prepare(const SessionOptions& options) {
                                            (options.stimuli / "manifest.json").string(),
                                            options.protocol.string()));
     }
-    if (options.frames && fs::exists(*options.frames)) {
-        throw support::input_error("--frames: {}: expected a name that is free, found a file",
-                                   options.frames->string());
+    if (options.frames) {
+        FrameTable::check(*options.frames, plan.resumes());
     }
     return {std::move(protocol), std::move(observer), std::move(stimuli),
             std::move(study),    std::move(lock),     std::move(plan)};
@@ -137,7 +146,7 @@ struct Files {
 };
 
 /// Run the trials and record in the sidecar how they ended.
-void run_to_the_end(const Preparation& ready, Stage& stage, const Files& files) {
+void run_to_the_end(const Preparation& ready, Stage& stage, const Files& files, FrameTable& frames) {
     const study::SessionSettings& session = ready.protocol.session;
     const Schedule& schedule = ready.plan.schedule;
     Timing timing;
@@ -149,6 +158,7 @@ void run_to_the_end(const Preparation& ready, Stage& stage, const Files& files) 
         .note = [&](const std::vector<Event>& events) { files.sidecar.note(events); },
         .keep = [&] { files.keep(stage); },
         .restore = [&] { files.restore(); },
+        .between_trials = [&] { frames.write(); },
         .timing = &timing};
     try {
         run_trials(setting, stage, files.log);
@@ -198,7 +208,7 @@ void prepare_study(const SessionOptions& options, const Preparation& ready, cons
     }
 }
 
-void run_on(const SessionOptions& options, const Preparation& ready, Stage& stage) {
+void run_on(const SessionOptions& options, const Preparation& ready, Stage& stage, FrameTable& frames) {
     const study::Protocol& protocol = ready.protocol;
     Said said;
     try {
@@ -228,7 +238,7 @@ void run_on(const SessionOptions& options, const Preparation& ready, Stage& stag
     // A torn line is taken off the log when the sidecar has it.
     write_with_retries(stage, [&] { sidecar.write(); });
     write_with_retries(stage, [&] { log->settle(); });
-    run_to_the_end(ready, stage, files);
+    run_to_the_end(ready, stage, files, frames);
     fmt::print("{}: {} of {} trials\n", log->path().string(), log->answers(), ready.plan.schedule.size());
 }
 
@@ -260,8 +270,9 @@ void run_session(const SessionOptions& options) {
     } catch (const Interrupted& reason) {
         throw support::failure("{} before the first trial; nothing was written", reason.what());
     }
-    const FrameTable frames(options.frames, *stage);
-    run_on(options, ready, *stage);
+    const auto parts = ready.plan.resumes() ? ready.plan.sidecar["Parts"].size() : 0;
+    FrameTable frames(options.frames, *stage, parts + 1);
+    run_on(options, ready, *stage, frames);
 }
 
 } // namespace experiment

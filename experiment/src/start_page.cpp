@@ -57,6 +57,7 @@ Form start_page(const SessionOptions& options, const study::Protocol& protocol, 
     }
     form.warnings.insert(form.warnings.end(), stage.warnings.begin(), stage.warnings.end());
     form.next = "Enter: begin";
+    form.more = protocol.session.texts.more;
     return form;
 }
 

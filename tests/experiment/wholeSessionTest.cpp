@@ -3,9 +3,11 @@
 
 #include <chrono>
 #include <csignal>
+#include <ctime>
 #include <set>
 #include <thread>
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <gtest/gtest.h>
@@ -144,6 +146,9 @@ TEST_F(WholeSessionTest, leadsAParticipantFromTheConsentToTheEnd) {
     settle("consent_given");
     key("Return");
     settle("age");
+    // The time of the consent is that of the agreement, not of what comes seconds later.
+    const std::string agreed = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100));
     VirtualScreen::act({"type", "17"});
     settle("age_typed");
     key("Return"); // below the least
@@ -200,6 +205,7 @@ TEST_F(WholeSessionTest, leadsAParticipantFromTheConsentToTheEnd) {
     EXPECT_EQ(rows[0].at("response"), "2");
     EXPECT_EQ(sidecar()["Complete"], true);
     EXPECT_NE(sidecar()["Consent"], "n/a");
+    EXPECT_LE(sidecar()["Consent"].get<std::string>(), agreed);
     EXPECT_NE(sidecar()["Events"].dump().find("answers before the second picture were ignored"),
               std::string::npos);
     // Every picture's times: three a trial, practice included.
