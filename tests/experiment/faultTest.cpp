@@ -82,6 +82,7 @@ TEST_F(FaultTest, saysThatTheSidecarFindsNoRoomAndGoesOn) {
     try_again();
     EXPECT_TRUE(runs());
     EXPECT_EQ(fixture::read_log(log()).size(), 1U);
+    EXPECT_EQ(fixture::read(sidecar()).find("answers before the second"), std::string::npos);
     fs::remove(study() / "filling");
     try_again();
     run_trial(1, "2");

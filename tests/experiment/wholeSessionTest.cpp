@@ -215,6 +215,37 @@ TEST_F(WholeSessionTest, leadsAParticipantFromTheConsentToTheEnd) {
               3);
 }
 
+TEST_F(WholeSessionTest, takesNoConsentToATextThatWasNotSeenToItsEnd) {
+    std::string toml = fixture::read(protocol_.file), paragraphs;
+    for (int i = 1; i <= 14; ++i) {
+        paragraphs +=
+            fmt::format("{}. We study how skin looks, and this sentence is so long that it is broken "
+                        "where the line ends, wherever that may be.\\n\\n",
+                        i);
+    }
+    const std::string name = "consent = \"";
+    toml.insert(toml.find(name) + name.size(), paragraphs);
+    fixture::write(protocol_.file, toml);
+    start();
+    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
+    settle("start");
+    key("Return");
+    settle("consent");
+    key("1");
+    settle("consent_chosen");
+    key("Return");
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    screen_.save(folder_ / "now.png");
+    EXPECT_EQ(fixture::read(folder_ / "now.png"), last_screen_);
+    VirtualScreen::key_down("Down");
+    std::this_thread::sleep_for(std::chrono::milliseconds(6000));
+    VirtualScreen::key_up("Down");
+    settle("consent_end");
+    key("Return");
+    settle("age");
+    EXPECT_TRUE(fixture::files_below(study()).empty());
+}
+
 TEST_F(WholeSessionTest, endsPolitelyWithoutConsent) {
     start();
     ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
