@@ -202,7 +202,12 @@ Said run_forms(const SessionOptions& options, const Preparation& ready, Stage& s
 /// Write what belongs to the study, as far as it is not there yet.
 void prepare_study(const SessionOptions& options, const Preparation& ready, const Answers& answers) {
     ready.study.prepare(ready.protocol.title, options.participant);
-    ready.study.keep_contact_sheet(ready.stimuli.folder() / "contact_sheet.png");
+    try {
+        ready.study.keep_contact_sheet(ready.stimuli.folder() / "contact_sheet.png");
+    } catch (const std::runtime_error& error) {
+        // No session waits for a picture that can be copied later.
+        fmt::print(stderr, "skin2afc: note: {}\n", support::one_line(error.what()));
+    }
     if (!answers.empty()) {
         save_answers(options.study, options.participant, ready.protocol.session.questions, answers);
     }

@@ -117,6 +117,14 @@ TEST_F(ResumeTest, goesOnInItsFrameTable) {
     EXPECT_EQ(fixture::read(frames).substr(0, table.size()), table);
 }
 
+TEST_F(ResumeTest, runsWhereTheContactSheetCannotBeKept) {
+    fixture::write(folder_ / "stimuli/contact_sheet.png", "picture");
+    fs::create_directory(study());
+    fixture::write(study() / "stimuli", "a file in the folder's place");
+    EXPECT_EQ(run().exit_code, 0);
+    EXPECT_EQ(fixture::read_log(log()).size(), 12U);
+}
+
 // A log that another program has emptied takes no answer without the ones before.
 TEST_F(ResumeTest, writesALogAnewThatWasMovedAndRefusesAChangedOne) {
     auto session_log = experiment::SessionLog::create(study(), "01");
