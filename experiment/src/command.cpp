@@ -101,7 +101,8 @@ void add_run_options(CLI::App& session, SessionOptions& options) {
     session
         .add_option(
             "--frames", options.frames,
-            "Write the times of every picture shown to a table when the session ends; a name that is free")
+            "Write the times of every picture shown to a table, trial by trial; a name that is free, or the "
+            "table of the run that is gone on with")
         ->type_name("FILE");
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,12 +30,18 @@ struct Form {
     std::vector<std::string> choices;
     int least = 0, most = 0; ///< of a whole number
     std::string units;
+    std::optional<std::size_t> alone; ///< a place of multiple choices that excludes the others
     bool optional = false, can_go_back = false;
+    bool read_to_end = false;        ///< whether the text's end must have been seen
     FormAnswer given;                ///< that it shows at first
     std::string next, back, missing; ///< what the keys do; what is said to an answer that will not do
+    std::string more;                ///< what is said where the text goes on below
 };
 
 /// Whether an answer will do.
 bool will_do(const Form& form, const FormAnswer& answer);
+
+/// Choose a place, or take a choice of several back; places that there are not stay unchosen.
+void choose(const Form& form, std::size_t place, FormAnswer& answer);
 
 } // namespace experiment

@@ -40,12 +40,9 @@ public:
         try {
             run_all();
         } catch (...) {
-            // Keep what happened before; the reason itself is the caller's to tell.
-            try {
-                take_events(log_.answers() + 1);
-                tell_events();
-            } catch (const support::Failure&) {
-            }
+            // Pass on what happened before; the reason itself is the caller's to tell.
+            take_events(log_.answers() + 1);
+            pass_events_on();
             throw;
         }
     }
@@ -53,6 +50,9 @@ public:
 private:
     void run_all() {
         const std::size_t trials = setting_.schedule.size();
+        if (log_.answers() >= trials) {
+            return; // only the end is missing
+        }
         start_s_ = show_page(fill_in(texts_.instructions, 0, trials), stage_) - setting_.clock_start_s;
         if (log_.answers() == 0 && !setting_.practice.empty()) {
             run_practice();
@@ -74,6 +74,9 @@ private:
             }
             take_events(i + 1);
             tell_events();
+            if (setting_.between_trials) {
+                setting_.between_trials();
+            }
         }
         stage_.begin_trial(0);
     }
@@ -133,12 +136,17 @@ private:
             try {
                 if (again) {
                     log_.restore();
+                    if (setting_.restore) {
+                        setting_.restore();
+                    }
                 }
                 log_.append(answer);
                 return;
-            } catch (const support::Failure& failure) {
+            } catch (const std::runtime_error& failure) {
                 events_.push_back({stage_.now_s() - start_s_, at, failure.what()});
                 if (!stage_.tell_trouble(failure.what())) {
+                    events_.push_back(
+                        {stage_.now_s() - start_s_, at, "an answer was not saved: " + log_row(at, answer)});
                     throw;
                 }
             }
@@ -151,9 +159,17 @@ private:
         }
     }
 
+    bool pass_events_on() {
+        if (events_.empty() || !setting_.note) {
+            return false;
+        }
+        setting_.note(std::exchange(events_, {}));
+        return true;
+    }
+
     void tell_events() {
-        if (!events_.empty() && setting_.note) {
-            setting_.note(std::exchange(events_, {}));
+        if (pass_events_on() && setting_.keep) {
+            setting_.keep();
         }
     }
 
@@ -177,6 +193,10 @@ std::string fill_in(const std::string& text, std::size_t trial, std::size_t tria
 
 void run_trials(const Setting& setting, Stage& stage, SessionLog& log) {
     Procedure(setting, stage, log).run();
+}
+
+void run_declined_page(const study::SessionSettings& session, Stage& stage) {
+    show_page(session.texts.declined, stage);
 }
 
 void run_end_page(const study::SessionSettings& session, const Schedule& schedule, Stage& stage) {

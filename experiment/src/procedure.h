@@ -37,7 +37,10 @@ struct Setting {
     const Schedule& schedule;
     Schedule practice = {};   ///< shown before, and not logged
     double clock_start_s = 0; ///< since the session's start, when the stage takes over
-    std::function<void(const std::vector<Event>&)> note = {}; ///< called between trials, and in the end
+    std::function<void(const std::vector<Event>&)> note = {}; ///< takes what happened, and writes nothing
+    std::function<void()> keep = {};                          ///< called where something was noted
+    std::function<void()> restore = {};                       ///< called before a failed save is tried again
+    std::function<void()> between_trials = {};                ///< called when a trial's answer is saved
     Timing* timing = nullptr;                                 ///< where to add what is measured
 };
 
@@ -46,6 +49,9 @@ struct Setting {
 /// [Jimenez2009, Sec. 5.3]; breaks. An answer is on the disk before anything else is shown. A trial that was
 /// disturbed is shown again. Throws what stage and log throw.
 void run_trials(const Setting& setting, Stage& stage, SessionLog& log);
+
+/// The page after a consent that was not given.
+void run_declined_page(const study::SessionSettings& session, Stage& stage);
 
 /// The page after the last trial.
 void run_end_page(const study::SessionSettings& session, const Schedule& schedule, Stage& stage);

@@ -43,6 +43,10 @@ Form form_of(const study::SessionSettings& session, std::size_t number) {
     form.heading = fill_in(session.texts.question, number + 1, session.questions.size());
     form.text = question.text;
     form.choices = question.choices;
+    if (question.none_place() < question.values.size()) {
+        form.alone = question.none_place();
+    }
+    form.more = session.texts.more;
     form.least = question.least;
     form.most = question.most;
     form.units = question.units;
@@ -77,6 +81,27 @@ bool will_do(const Form& form, const FormAnswer& answer) {
     return value && *value >= form.least && *value <= form.most;
 }
 
+void choose(const Form& form, std::size_t place, FormAnswer& answer) {
+    if (place >= form.choices.size()) {
+        return;
+    }
+    auto& chosen = answer.chosen;
+    const auto found = std::find(chosen.begin(), chosen.end(), place);
+    if (form.kind == Form::Kind::choice) {
+        chosen = {place};
+    } else if (found != chosen.end()) {
+        chosen.erase(found);
+    } else {
+        // What excludes the others takes their place, and they take its.
+        if (form.alone == place) {
+            chosen.clear();
+        } else if (form.alone) {
+            std::erase(chosen, *form.alone);
+        }
+        chosen.insert(std::upper_bound(chosen.begin(), chosen.end(), place), place);
+    }
+}
+
 std::string written(const study::Question& question, const FormAnswer& answer) {
     std::string cell;
     for (const std::size_t place : answer.chosen) {
@@ -103,6 +128,8 @@ bool ask_consent(const study::SessionTexts& texts, Stage& stage) {
     form.choices = {texts.agree, texts.decline};
     form.next = texts.next;
     form.missing = texts.missing;
+    form.more = texts.more;
+    form.read_to_end = true;
     return stage.ask(form).chosen.front() == 0;
 }
 

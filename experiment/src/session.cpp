@@ -3,7 +3,9 @@
 
 #include "session.h"
 
+#include <functional>
 #include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -38,15 +40,23 @@ struct Preparation {
     SessionPlan plan;
 };
 
-/// Lock the participant's folder, so that no second session writes there.
-FolderLock lock_participant(const SessionOptions& options) {
+/// Lock the participant's folder, so that no second session writes there; in a dry run, see whether that
+/// could be.
+std::optional<FolderLock> lock_participant(const SessionOptions& options) {
     const fs::path folder = options.study / ("sub-" + options.participant);
-    auto lock = FolderLock::attempt(folder);
-    if (!lock) {
+    std::optional<FolderLock> lock;
+    const bool free = options.dry_run ? FolderLock::is_free(folder) : [&] {
+        auto attempted = FolderLock::attempt(folder);
+        if (attempted) {
+            lock.emplace(std::move(*attempted));
+        }
+        return lock.has_value();
+    }();
+    if (!free) {
         throw support::input_error(
             "{}: expected a participant without a session, found another session at it", folder.string());
     }
-    return std::move(*lock);
+    return lock;
 }
 
 Preparation prepare(const SessionOptions& options) {
@@ -57,8 +67,10 @@ Preparation prepare(const SessionOptions& options) {
                         protocol.image.height);
     StudyFolder study(options.study, observer.has_value(), protocol.name);
     std::optional<FolderLock> lock;
-    if (!options.dry_run && !options.print_order) {
-        lock.emplace(lock_participant(options));
+    if (!options.print_order) {
+        if (auto held = lock_participant(options)) {
+            lock.emplace(std::move(*held));
+        }
     }
     SessionPlan plan = make_plan(options, protocol, stimuli.manifest_digest());
     if (stimuli.protocol_digest() != protocol.digest) {
@@ -66,9 +78,8 @@ Preparation prepare(const SessionOptions& options) {
                                            (options.stimuli / "manifest.json").string(),
                                            options.protocol.string()));
     }
-    if (options.frames && fs::exists(*options.frames)) {
-        throw support::input_error("--frames: {}: expected a name that is free, found a file",
-                                   options.frames->string());
+    if (options.frames) {
+        FrameTable::check(*options.frames, plan.resumes());
     }
     return {std::move(protocol), std::move(observer), std::move(stimuli),
             std::move(study),    std::move(lock),     std::move(plan)};
@@ -90,44 +101,73 @@ void write_with_retries(Stage& stage, Write write) {
 
 /// The log of the plan's run, created or gone on with.
 SessionLog open_log(const SessionOptions& options, const SessionPlan& plan) {
-    if (!plan.log) {
-        return SessionLog::create(options.study, options.participant);
-    }
-    return SessionLog::resume(log_path(options.study, options.participant, plan.run), plan.answered(),
-                              plan.log->whole);
+    return plan.log ? SessionLog::resume(log_path(options.study, options.participant, plan.run), *plan.log)
+                    : SessionLog::create(options.study, options.participant);
 }
 
+/// What a running session writes to.
+struct Files {
+    SessionLog& log;
+    Sidecar& sidecar;
+    std::function<void()> restore_study; ///< writes anew what was deleted of the study's own files
+
+    void restore() const {
+        log.restore();
+        restore_study();
+    }
+    /// Write the sidecar; where that fails, or the log is gone, say so, bring back what is missing and try
+    /// again.
+    void keep(Stage& stage) const {
+        bool again = false;
+        write_with_retries(stage, [&] {
+            if (std::exchange(again, true)) {
+                restore();
+            }
+            log.check_unchanged();
+            sidecar.write();
+        });
+    }
+    /// Write what can be written when nobody is there to ask; what to say of it.
+    std::string close(const std::string& reason, std::size_t trials) const {
+        try {
+            restore();
+            sidecar.write();
+        } catch (const std::runtime_error&) {
+            // The sidecar as it is says "not complete".
+        }
+        const std::string path = log.path().string();
+        if (!log.in_place()) {
+            fmt::print(stderr, "skin2afc: note: {} is gone; it held:\n{}", path, log.content());
+            return fmt::format("{}; the log {} is gone, its {} of {} trials are printed above", reason, path,
+                               log.answers(), trials);
+        }
+        return fmt::format("{}; {} of {} trials are saved in {}", reason, log.answers(), trials, path);
+    }
+};
+
 /// Run the trials and record in the sidecar how they ended.
-void run_to_the_end(const Preparation& ready, Stage& stage, SessionLog& log, Sidecar& sidecar) {
+void run_to_the_end(const Preparation& ready, Stage& stage, const Files& files, FrameTable& frames) {
     const study::SessionSettings& session = ready.protocol.session;
     const Schedule& schedule = ready.plan.schedule;
-    const auto explain = [&](const std::string& reason) {
-        return fmt::format("{}; {} of {} trials are saved in {}", reason, log.answers(), schedule.size(),
-                           log.path().string());
-    };
     Timing timing;
     const Setting setting{
         .session = session,
         .schedule = schedule,
         .practice = practice_trials(schedule, static_cast<std::size_t>(session.practice), ready.plan.seed),
-        .clock_start_s = sidecar.clock_start_s(ready.plan.log ? ready.plan.log->last_s : 0),
-        .note = [&](const std::vector<Event>& events) { sidecar.note(events); },
+        .clock_start_s = files.sidecar.clock_start_s(ready.plan.log ? ready.plan.log->last_s : 0),
+        .note = [&](const std::vector<Event>& events) { files.sidecar.note(events); },
+        .keep = [&] { files.keep(stage); },
+        .restore = [&] { files.restore(); },
+        .between_trials = [&] { frames.write(); },
         .timing = &timing};
     try {
-        run_trials(setting, stage, log);
-        write_with_retries(
-            stage, [&] { sidecar.finish(log.answers(), "all trials answered", stage.facts(), timing); });
-    } catch (const Interrupted& interruption) {
-        sidecar.finish(log.answers(), interruption.what(), stage.facts(), timing);
-        throw support::Failure(explain(interruption.what()));
-    } catch (const std::exception& error) {
-        // The sidecar as it is says "not complete", should the disk refuse it too.
-        try {
-            sidecar.finish(log.answers(), support::one_line(error.what()), stage.facts(), timing);
-        } catch (const std::runtime_error&) {
-            throw support::Failure(explain(error.what()));
-        }
-        throw support::Failure(explain(error.what()));
+        run_trials(setting, stage, files.log);
+        files.sidecar.finish(files.log.answers(), "all trials answered", stage, timing);
+        files.keep(stage);
+    } catch (const std::runtime_error& error) {
+        const std::string reason = support::one_line(error.what());
+        files.sidecar.finish(files.log.answers(), reason, stage, timing);
+        throw support::Failure(files.close(reason, schedule.size()));
     }
     try {
         run_end_page(session, schedule, stage);
@@ -136,49 +176,74 @@ void run_to_the_end(const Preparation& ready, Stage& stage, SessionLog& log, Sid
     }
 }
 
-/// Ask the participant what comes before the trials; what to write of it. Throws support::Failure where there
-/// is no consent.
-Answers run_forms(const SessionOptions& options, const Preparation& ready, Stage& stage) {
+/// What the participant said before the trials.
+struct Said {
+    std::optional<double> consent_s; ///< when, by the system's clock
+    Answers answers;
+};
+
+/// Ask the participant what comes before the trials. Throws support::Failure where there is no consent.
+Said run_forms(const SessionOptions& options, const Preparation& ready, Stage& stage) {
     const study::SessionSettings& session = ready.protocol.session;
-    if (!ready.plan.resumes() && !ask_consent(session.texts, stage)) {
-        stage.show(Page{session.texts.declined});
-        stage.wait_for({Key::space});
-        throw support::failure("the participant did not agree to take part; nothing was written");
+    Said said;
+    if (!ready.plan.resumes() && !session.texts.consent.empty()) {
+        if (!ask_consent(session.texts, stage)) {
+            run_declined_page(session, stage);
+            throw support::failure("the participant did not agree to take part; nothing was written");
+        }
+        said.consent_s = system_clock_s();
     }
-    return session.questions.empty() || has_answered(options.study, options.participant)
-               ? Answers{}
-               : ask_questions(session, stage);
+    const bool asks = !session.questions.empty() && ready.plan.answered() < ready.plan.schedule.size() &&
+                      !has_answered(options.study, options.participant);
+    said.answers = asks ? ask_questions(session, stage) : Answers{};
+    return said;
 }
 
-void run_on(const SessionOptions& options, const Preparation& ready, Stage& stage) {
+/// Write what belongs to the study, as far as it is not there yet.
+void prepare_study(const SessionOptions& options, const Preparation& ready, const Answers& answers) {
+    ready.study.prepare(ready.protocol.title, options.participant);
+    try {
+        ready.study.keep_contact_sheet(ready.stimuli.folder() / "contact_sheet.png");
+    } catch (const std::runtime_error& error) {
+        // No session waits for a picture that can be copied later.
+        fmt::print(stderr, "skin2afc: note: {}\n", support::one_line(error.what()));
+    }
+    if (!answers.empty()) {
+        save_answers(options.study, options.participant, ready.protocol.session.questions, answers);
+    }
+}
+
+void run_on(const SessionOptions& options, const Preparation& ready, Stage& stage, FrameTable& frames) {
     const study::Protocol& protocol = ready.protocol;
-    Answers answers;
+    Said said;
     try {
         if (!ready.observer) {
             stage.ask(start_page(options, protocol, ready.stimuli, ready.plan, stage.facts()));
         }
-        answers = run_forms(options, ready, stage);
+        said = run_forms(options, ready, stage);
     } catch (const Interrupted& reason) {
         throw support::failure("{} before the first trial; nothing was written", reason.what());
     }
 
-    // Open the files before the first picture, and run.
-    write_with_retries(stage, [&] {
-        ready.study.prepare(protocol.title, options.participant);
-        ready.study.keep_contact_sheet(ready.stimuli.folder() / "contact_sheet.png");
-        if (!answers.empty()) {
-            save_answers(options.study, options.participant, protocol.session.questions, answers);
-        }
-    });
+    // Open the files before the first picture.
+    write_with_retries(stage, [&] { prepare_study(options, ready, said.answers); });
+    std::optional<StudyCopy> copy;
+    write_with_retries(stage, [&] { copy.emplace(options.study); });
     std::optional<SessionLog> log;
     write_with_retries(stage, [&] { log.emplace(open_log(options, ready.plan)); });
     Sidecar sidecar(log->sidecar_path(), protocol, ready.plan, ready.stimuli.manifest_digest(),
                     stage.facts());
-    if (!ready.plan.resumes() && !protocol.session.texts.consent.empty()) {
-        sidecar.note_consent();
+    if (said.consent_s) {
+        sidecar.note_consent(*said.consent_s);
     }
+    const Files files{*log, sidecar, [&] {
+                          copy->restore();
+                          prepare_study(options, ready, said.answers);
+                      }};
+    // A torn line is taken off the log when the sidecar has it.
     write_with_retries(stage, [&] { sidecar.write(); });
-    run_to_the_end(ready, stage, *log, sidecar);
+    write_with_retries(stage, [&] { log->settle(); });
+    run_to_the_end(ready, stage, files, frames);
     fmt::print("{}: {} of {} trials\n", log->path().string(), log->answers(), ready.plan.schedule.size());
 }
 
@@ -210,8 +275,9 @@ void run_session(const SessionOptions& options) {
     } catch (const Interrupted& reason) {
         throw support::failure("{} before the first trial; nothing was written", reason.what());
     }
-    const FrameTable frames(options.frames, *stage);
-    run_on(options, ready, *stage);
+    const auto parts = ready.plan.resumes() ? ready.plan.sidecar["Parts"].size() : 0;
+    FrameTable frames(options.frames, *stage, parts + 1);
+    run_on(options, ready, *stage, frames);
 }
 
 } // namespace experiment

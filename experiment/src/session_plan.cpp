@@ -11,6 +11,7 @@
 #include <support/json_depth.h>
 
 #include "log/session_log.h"
+#include "log/sidecar.h"
 
 namespace experiment {
 namespace {
@@ -60,6 +61,48 @@ void check_same(const ordered_json& sidecar, const fs::path& file, const char* k
     }
 }
 
+/// Refuse a sidecar whose parts are not what the session goes on with.
+void check_kinds(const ordered_json& sidecar, const fs::path& file) {
+    const auto check = [&](const ordered_json& holder, const char* key, auto is_right, const char* expected) {
+        const ordered_json value = holder.value(key, ordered_json());
+        if (!is_right(value)) {
+            throw input_error("{}: {}: expected {}, found {}{}", file.string(), key, expected,
+                              support::one_line(value.dump()).substr(0, 60), way_out);
+        }
+    };
+    const auto array = [](const ordered_json& value) { return value.is_array(); };
+    const auto whole = [](const ordered_json& value) { return value.is_number_unsigned(); };
+    for (const char* key : {"Events", "SetAside", "Warnings", "Parts"}) {
+        check(sidecar, key, array, "a list");
+    }
+    check(sidecar, "Seed", whole, "a whole number");
+    check(sidecar, "TrialsPlanned", whole, "a whole number");
+    check(
+        sidecar, "Simulated", [](const ordered_json& value) { return value.is_boolean(); }, "true or false");
+    for (const ordered_json& part : sidecar["Parts"]) {
+        if (!part.is_object()) {
+            throw input_error("{}: Parts: expected objects, found {}{}", file.string(),
+                              support::one_line(part.dump()).substr(0, 60), way_out);
+        }
+        check(
+            part, "SystemTime", [](const ordered_json& value) { return value.is_number(); }, "a number");
+    }
+}
+
+/// By how much the system's clock lies before what the run has seen of it; 0 where it does not. A simulated
+/// session's own clock runs ahead of the system's.
+double clock_set_back_s(const ordered_json& sidecar, const LogContent& log) {
+    const ordered_json& parts = sidecar["Parts"];
+    if (parts.empty()) {
+        return 0;
+    }
+    double latest_s = parts.back()["SystemTime"].get<double>();
+    if (!sidecar["Simulated"].get<bool>()) {
+        latest_s = std::max(latest_s, parts.front()["SystemTime"].get<double>() + log.last_s);
+    }
+    return std::max(0.0, latest_s - system_clock_s());
+}
+
 /// Take over an interrupted run.
 void resume(SessionPlan& plan, const SessionOptions& options, const study::Protocol& protocol,
             const std::string& manifest_digest, const fs::path& sidecar, const fs::path& log) {
@@ -69,15 +112,26 @@ void resume(SessionPlan& plan, const SessionOptions& options, const study::Proto
     if (options.seed) {
         check_same(plan.sidecar, sidecar, "Seed", *options.seed, "the seed");
     }
-    const ordered_json seed = plan.sidecar.value("Seed", ordered_json());
-    if (!seed.is_number_unsigned()) {
-        throw input_error("{}: Seed: expected a whole number, found {}{}", sidecar.string(), seed.dump(),
-                          way_out);
-    }
-    plan.seed = seed.get<std::uint64_t>();
+    check_kinds(plan.sidecar, sidecar);
+    plan.seed = plan.sidecar["Seed"].get<std::uint64_t>();
+    plan.clock_set_back_s = clock_set_back_s(plan.sidecar, *plan.log);
     check_order(*plan.log, plan.schedule, log);
-    plan.remarks.push_back(fmt::format("run {:02d} was broken off; it goes on at trial {} of {}", plan.run,
-                                       plan.answered() + 1, plan.schedule.size()));
+    plan.remarks.push_back(
+        plan.answered() == plan.schedule.size()
+            ? fmt::format("run {:02d} was broken off after its last answer; only its end is missing",
+                          plan.run)
+            : fmt::format("run {:02d} was broken off; it goes on at trial {} of {}", plan.run,
+                          plan.answered() + 1, plan.schedule.size()));
+    // Less may come of clocks that are kept exact.
+    constexpr double noticed_s = 1;
+    if (plan.clock_set_back_s > noticed_s) {
+        plan.remarks.push_back(fmt::format(
+            "the system's clock was set back by {:.0f} s or more since the run was broken off; onsets go on "
+            "from the last answer",
+            plan.clock_set_back_s));
+    } else {
+        plan.clock_set_back_s = 0;
+    }
     if (!plan.log->torn.empty()) {
         plan.remarks.push_back(fmt::format("{}: its last line was torn and is set aside, in the sidecar: {}",
                                            log.string(), support::one_line(plan.log->torn)));
@@ -107,7 +161,8 @@ bool take_last_run(SessionPlan& plan, const SessionOptions& options, const study
     plan.schedule = read_order(content, protocol, sidecar);
     try {
         plan.log = read_log(log);
-        if (plan.answered() < plan.schedule.size()) {
+        // A run that was killed between its last answer and its end is ended.
+        if (plan.answered() < plan.schedule.size() || content.value("Complete", ordered_json()) == false) {
             plan.sidecar = content;
             resume(plan, options, protocol, manifest_digest, sidecar, log);
             return true;

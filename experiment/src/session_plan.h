@@ -24,6 +24,7 @@ struct SessionPlan {
     Schedule schedule;
     std::size_t finished_participants = 0; ///< that the orders are balanced over
 
+    double clock_set_back_s = 0;      ///< by how much at least, since the run was broken off
     std::optional<LogContent> log;    ///< of the run that is gone on with
     nlohmann::ordered_json sidecar;   ///< of that run; null for a new one
     std::vector<std::string> remarks; ///< for the experimenter, one line each

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "log/sidecar.h"
 #include "window/display.h"
 
 namespace experiment {
@@ -51,8 +52,12 @@ Form start_page(const SessionOptions& options, const study::Protocol& protocol, 
         {"Stimulus", angle_text(stage)},
         {"To end a session", text_of(protocol.session.leave)}};
     form.warnings = plan.remarks;
+    for (const std::string& change : screen_changes(plan.sidecar, stage)) {
+        form.warnings.push_back("another screen than before: " + change);
+    }
     form.warnings.insert(form.warnings.end(), stage.warnings.begin(), stage.warnings.end());
     form.next = "Enter: begin";
+    form.more = protocol.session.texts.more;
     return form;
 }
 

@@ -170,10 +170,25 @@ SessionTexts read_texts(TomlTable table) {
     texts.back = table.text("back", "Page Up: back");
     texts.question = table.text("question", "Question {trial} of {trials}");
     texts.missing = table.text("missing", "Please answer this question.");
+    texts.more = table.text("more", "There is more to read: the arrow keys move the text.");
+    texts.trouble = table.text("trouble", "Please call the experimenter.\n\n"
+                                          "The last answer is kept in memory until it is saved.");
+    texts.try_again = table.text("try_again", "Try again");
+    texts.stop = table.text("stop", "End the session");
+    texts.close = table.text("close", "Someone asked to close this window.\n\nEnd the session? What was "
+                                      "answered so far is saved, and the session can be gone on with.");
+    texts.go_on = table.text("go_on", "Go on with the session");
+    texts.screen = table.text("screen", "The screen has become too small for the images.\n\nPlease call the "
+                                        "experimenter. The session goes on when the screen is as it was.");
     return texts;
 }
 
 } // namespace
+
+std::size_t Question::none_place() const {
+    const auto none = std::find(values.begin(), values.end(), "none");
+    return kind == QuestionKind::multiple ? static_cast<std::size_t>(none - values.begin()) : values.size();
+}
 
 std::string text_of(const KeyChord& chord) {
     return fmt::format("{}{}{}{}", chord.ctrl ? "Ctrl+" : "", chord.alt ? "Alt+" : "",

@@ -125,6 +125,8 @@ TEST_F(ResumeTest, saysThatTheClockWasSetBack) {
     nlohmann::ordered_json content = nlohmann::ordered_json::parse(fixture::read(sidecar()));
     content["Parts"][0]["SystemTime"] = content["Parts"][0]["SystemTime"].get<double>() + 1e6;
     fixture::write(sidecar(), content.dump());
+    // What the start page says is also what a dry run prints.
+    EXPECT_NE(run({"--dry-run"}).out.find("clock was set back by"), std::string::npos);
     EXPECT_EQ(run().exit_code, 0);
     EXPECT_NE(facts()["Events"][0]["Event"].get<std::string>().find("clock was set back"), std::string::npos);
     EXPECT_EQ(fixture::read_log(log()).size(), 12U);
@@ -135,6 +137,9 @@ TEST_F(ResumeTest, refusesASecondSessionOfAParticipant) {
     const int held = ::open((study() / "sub-01").c_str(), O_RDONLY | O_CLOEXEC);
     ASSERT_EQ(::flock(held, LOCK_EX), 0);
     const auto outcome = run();
+    const auto dry = run({"--dry-run"});
+    EXPECT_EQ(dry.exit_code, 2);
+    EXPECT_NE(dry.err.find("found another session at it"), std::string::npos) << dry.err;
     ::close(held);
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_NE(outcome.err.find("found another session at it"), std::string::npos) << outcome.err;

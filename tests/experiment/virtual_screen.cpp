@@ -111,7 +111,8 @@ VirtualScreen::VirtualScreen(const std::filesystem::path& folder, int width, int
         throw std::runtime_error("no pipe");
     }
     server_ = start({"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0",
-                     fmt::format("{}x{}x24", width, height), "-fbdir", folder.string(), "-nolisten", "tcp"});
+                     fmt::format("{}x{}x24", width, height), "-fbdir", folder.string(), "-nolisten", "tcp",
+                     "-noreset"});
     ::close(ends[1]);
     std::string display;
     for (char c = 0; ::read(ends[0], &c, 1) == 1 && c != '\n';) {

@@ -3,9 +3,11 @@
 
 #include <chrono>
 #include <csignal>
+#include <ctime>
 #include <set>
 #include <thread>
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <gtest/gtest.h>
@@ -144,6 +146,9 @@ TEST_F(WholeSessionTest, leadsAParticipantFromTheConsentToTheEnd) {
     settle("consent_given");
     key("Return");
     settle("age");
+    // The time of the consent is that of the agreement, not of what comes seconds later.
+    const std::string agreed = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100));
     VirtualScreen::act({"type", "17"});
     settle("age_typed");
     key("Return"); // below the least
@@ -200,6 +205,7 @@ TEST_F(WholeSessionTest, leadsAParticipantFromTheConsentToTheEnd) {
     EXPECT_EQ(rows[0].at("response"), "2");
     EXPECT_EQ(sidecar()["Complete"], true);
     EXPECT_NE(sidecar()["Consent"], "n/a");
+    EXPECT_LE(sidecar()["Consent"].get<std::string>(), agreed);
     EXPECT_NE(sidecar()["Events"].dump().find("answers before the second picture were ignored"),
               std::string::npos);
     // Every picture's times: three a trial, practice included.
@@ -207,6 +213,37 @@ TEST_F(WholeSessionTest, leadsAParticipantFromTheConsentToTheEnd) {
     EXPECT_EQ(std::count_if(frames.begin(), frames.end(),
                             [](const auto& row) { return row.at("picture") == "grey"; }),
               3);
+}
+
+TEST_F(WholeSessionTest, takesNoConsentToATextThatWasNotSeenToItsEnd) {
+    std::string toml = fixture::read(protocol_.file), paragraphs;
+    for (int i = 1; i <= 14; ++i) {
+        paragraphs +=
+            fmt::format("{}. We study how skin looks, and this sentence is so long that it is broken "
+                        "where the line ends, wherever that may be.\\n\\n",
+                        i);
+    }
+    const std::string name = "consent = \"";
+    toml.insert(toml.find(name) + name.size(), paragraphs);
+    fixture::write(protocol_.file, toml);
+    start();
+    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
+    settle("start");
+    key("Return");
+    settle("consent");
+    key("1");
+    settle("consent_chosen");
+    key("Return");
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    screen_.save(folder_ / "now.png");
+    EXPECT_EQ(fixture::read(folder_ / "now.png"), last_screen_);
+    VirtualScreen::key_down("Down");
+    std::this_thread::sleep_for(std::chrono::milliseconds(6000));
+    VirtualScreen::key_up("Down");
+    settle("consent_end");
+    key("Return");
+    settle("age");
+    EXPECT_TRUE(fixture::files_below(study()).empty());
 }
 
 TEST_F(WholeSessionTest, endsPolitelyWithoutConsent) {

@@ -7,108 +7,18 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
-#include "fixture.h"
-#include "schedule.h"
-#include "virtual_screen.h"
+#include "window_fixture.h"
 
 namespace {
 
+using fixture::grey;
+using fixture::left;
+using fixture::page_ground;
+using fixture::screen_height;
+using fixture::screen_width;
+using fixture::top;
 using fixture::VirtualScreen;
-
-// The screen is larger than the pictures of 320x200, by an odd number of pixels.
-constexpr int screen_width = 403, screen_height = 301;
-constexpr int left = (screen_width - 320) / 2;
-constexpr int top = screen_height - 200 - (screen_height - 200) / 2; // OpenGL counts rows from below
-constexpr std::array<std::uint8_t, 3> page_ground{38, 38, 38};       // 15 % of 255
-constexpr std::array<std::uint8_t, 3> grey{128, 128, 128};           // 50 % of 255
-
-/// A session of real windows, real keys and a real screen, in the full-screen window.
-class WindowTest : public testing::Test {
-protected:
-    void start(const std::string& azimuths, double grey_s) {
-        protocol_ = fixture::small_protocol(folder_.path(), azimuths, grey_s);
-        fixture::write_stimuli(folder_ / "stimuli", protocol_);
-        schedule_ = experiment::make_schedule(protocol_, 4);
-        program_ = fixture::start_program({"session", protocol_.file.string(), "--stimuli",
-                                           (folder_ / "stimuli").string(), "--study", study().string(),
-                                           "--participant", "01", "--seed", "4"},
-                                          folder_.path());
-    }
-    ~WindowTest() override {
-        if (program_ > 0) {
-            ::kill(program_, SIGKILL);
-            ::waitpid(program_, nullptr, 0);
-        }
-    }
-
-    std::filesystem::path study() const { return folder_ / "study"; }
-    std::filesystem::path log() const { return fixture::log_path(study(), "01"); }
-    std::filesystem::path sidecar() const { return log().replace_extension(".json"); }
-
-    /// The number of a trial's picture, as write_stimuli counts: shaders, then azimuths.
-    int picture(std::size_t trial, bool first) const {
-        const std::string& shader = first ? schedule_[trial].first : schedule_[trial].second;
-        const auto& azimuths = protocol_.light.azimuths_deg;
-        const auto azimuth = std::find(azimuths.begin(), azimuths.end(), schedule_[trial].azimuth_deg);
-        return (shader == "no_sss" ? 0 : static_cast<int>(azimuths.size())) +
-               static_cast<int>(azimuth - azimuths.begin());
-    }
-
-    /// Whether the whole screen shows the picture, pixel for pixel, with black around it.
-    void expect_picture(int number) const {
-        // Mesa sends a frame to the server in stripes, the top first.
-        ASSERT_TRUE(screen_.becomes(left, top, fixture::pixel_of(number, 0, 0)));
-        ASSERT_TRUE(screen_.becomes(left + 319, top + 199, fixture::pixel_of(number, 319, 199)));
-        ASSERT_TRUE(screen_.becomes(left, top + 200, {}));
-        for (const auto& [x, y] :
-             {std::pair{0, 0}, {1, 0}, {0, 1}, {57, 83}, {160, 100}, {319, 0}, {0, 199}, {319, 199}}) {
-            EXPECT_EQ(screen_.pixel(left + x, top + y), fixture::pixel_of(number, x, y)) << x << " " << y;
-        }
-        constexpr std::array<std::uint8_t, 3> black{};
-        EXPECT_EQ(screen_.pixel(left - 1, top), black);
-        EXPECT_EQ(screen_.pixel(left, top - 1), black);
-        EXPECT_EQ(screen_.pixel(left + 320, top), black);
-        EXPECT_EQ(screen_.pixel(left, top + 200), black);
-    }
-
-    /// From the trial's number to its answer.
-    void run_trial(std::size_t trial, const std::string& answer) const {
-        ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
-        VirtualScreen::key("space");
-        expect_picture(picture(trial, true));
-        VirtualScreen::key("space");
-        ASSERT_TRUE(screen_.becomes(1, 1, grey));
-        EXPECT_EQ(screen_.pixel(screen_width - 1, screen_height - 1), grey);
-        VirtualScreen::key("2"); // too early: the second picture is not there yet
-        expect_picture(picture(trial, false));
-        VirtualScreen::key(answer);
-    }
-
-    /// The session's last words.
-    fixture::Outcome finish() {
-        const auto outcome = fixture::wait_for_program(program_, folder_.path());
-        program_ = -1;
-        return outcome;
-    }
-
-    void leave_instructions() const {
-        ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
-        // The start page may not be there yet: only what it asks for ends it.
-        while (!std::filesystem::exists(sidecar())) {
-            VirtualScreen::key("Return");
-            std::this_thread::sleep_for(std::chrono::milliseconds(100));
-        }
-        // The instructions come after the sidecar; their first key may come too early.
-        std::this_thread::sleep_for(std::chrono::milliseconds(500));
-        VirtualScreen::key("space");
-    }
-
-    fixture::TemporaryFolder folder_;
-    VirtualScreen screen_{folder_.path(), screen_width, screen_height};
-    study::Protocol protocol_;
-    experiment::Schedule schedule_;
-    pid_t program_ = -1;
-};
+using fixture::WindowTest;
 
 TEST_F(WindowTest, runsASessionByRealKeysAndShowsEachPicturePixelForPixel) {
     start("[0, 60]", 0.5);
@@ -286,10 +196,7 @@ TEST_F(WindowTest, goesOnAfterAKillAtTheFirstTrialWithoutAnswer) {
     ::kill(program_, SIGKILL);
     finish();
     const std::string before = fixture::read(log());
-    program_ = fixture::start_program({"session", protocol_.file.string(), "--stimuli",
-                                       (folder_ / "stimuli").string(), "--study", study().string(),
-                                       "--participant", "01", "--seed", "4"},
-                                      folder_.path());
+    start_again();
     const auto parts = [&] { return nlohmann::json::parse(fixture::read(sidecar()))["Parts"].size(); };
     while (parts() < 2) {
         VirtualScreen::key("Return");

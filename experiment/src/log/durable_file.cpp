@@ -67,12 +67,12 @@ std::optional<DurableFile> DurableFile::create(const fs::path& path, std::string
     }
     DurableFile file(path, fd);
     ::flock(fd, LOCK_EX | LOCK_NB); // no one else knows the file yet
-    try {
-        file.append(first);
-    } catch (const support::Failure&) {
+    if (!write_all(fd, first) || ::fsync(fd) != 0) {
+        const int error = errno;
         ::unlink(pending.c_str());
-        throw;
+        throw support::failure("{}: cannot be written: {}", path.string(), std::strerror(error));
     }
+    file.content_ = first;
     // Take the final name.
     if (!rename_if_free(pending, path)) {
         const int error = errno;
@@ -92,26 +92,50 @@ DurableFile::~DurableFile() {
     }
 }
 
-void DurableFile::append(std::string_view text) {
-    if (!write_all(fd_, text) || ::fsync(fd_) != 0) {
-        const int error = errno;
-        // Take back what was written in part, so that the file keeps whole lines.
-        const bool whole = ::ftruncate(fd_, size_) == 0;
-        throw support::failure("{}: cannot be written: {}{}", path_.string(), std::strerror(error),
-                               whole ? "" : "; its last line may be torn");
-    }
-    size_ += static_cast<off_t>(text.size());
+bool DurableFile::in_place() const {
+    struct stat named {};
+    struct stat held {};
+    return ::stat(path_.c_str(), &named) == 0 && ::fstat(fd_, &held) == 0 && named.st_dev == held.st_dev &&
+           named.st_ino == held.st_ino;
+}
 
-    // A file deleted meanwhile takes writes without complaint and loses them.
-    if (was_deleted()) {
-        size_ -= static_cast<off_t>(text.size());
-        throw support::failure("{}: was deleted while the session ran", path_.string());
+/// A file that was deleted or moved takes writes without complaint, and they are lost to the study.
+void DurableFile::check_unchanged() const {
+    if (!in_place()) {
+        throw support::failure("{}: was deleted or moved while the session ran", path_.string());
+    }
+    struct stat held {};
+    if (::fstat(fd_, &held) == 0 && held.st_size != static_cast<off_t>(content_.size())) {
+        throw support::failure("{}: was changed by another program while the session ran ({} bytes, not {}); "
+                               "move it elsewhere, and it is written anew",
+                               path_.string(), held.st_size, content_.size());
     }
 }
 
-bool DurableFile::was_deleted() const {
-    struct stat status {};
-    return ::fstat(fd_, &status) == 0 && status.st_nlink == 0;
+void DurableFile::settle() {
+    if (torn_ && (::ftruncate(fd_, static_cast<off_t>(content_.size())) != 0 || ::fsync(fd_) != 0)) {
+        throw support::failure("{}: cannot be written: {}", path_.string(), std::strerror(errno));
+    }
+    torn_ = false;
+}
+
+void DurableFile::append(std::string_view text) {
+    settle();
+    check_unchanged();
+    torn_ = true;
+    if (!write_all(fd_, text) || ::fsync(fd_) != 0) {
+        const int error = errno;
+        // Take back what was written in part, so that the file keeps whole lines.
+        torn_ = ::ftruncate(fd_, static_cast<off_t>(content_.size())) != 0;
+        throw support::failure("{}: cannot be written: {}{}", path_.string(), std::strerror(error),
+                               torn_ ? "; its last line may be torn" : "");
+    }
+    // A file that was taken away meanwhile keeps the text, but not for the study.
+    if (!in_place()) {
+        throw support::failure("{}: was deleted or moved while the session ran", path_.string());
+    }
+    content_ += text;
+    torn_ = false;
 }
 
 DurableFile DurableFile::reopen(const fs::path& path, off_t whole) {
@@ -120,36 +144,36 @@ DurableFile DurableFile::reopen(const fs::path& path, off_t whole) {
         throw support::failure("{}: cannot be opened for writing: {}", path.string(), std::strerror(errno));
     }
     DurableFile file(path, fd);
-    file.size_ = whole;
     if (::flock(fd, LOCK_EX | LOCK_NB) != 0) {
         throw support::input_error("{}: expected a log that no one writes to, found another session at it",
                                    path.string());
     }
-    if (::ftruncate(fd, whole) != 0 || ::fsync(fd) != 0) {
-        throw support::failure("{}: cannot be written: {}", path.string(), std::strerror(errno));
+    file.content_.resize(static_cast<std::size_t>(whole));
+    if (::pread(fd, file.content_.data(), file.content_.size(), 0) != static_cast<ssize_t>(whole)) {
+        throw support::failure("{}: cannot be read back: {}", path.string(), std::strerror(errno));
     }
+    file.torn_ = true;
     return file;
 }
 
 DurableFile& DurableFile::operator=(DurableFile&& other) noexcept {
     std::swap(path_, other.path_);
     std::swap(fd_, other.fd_);
-    std::swap(size_, other.size_);
+    std::swap(content_, other.content_);
+    std::swap(torn_, other.torn_);
     return *this;
 }
 
 void DurableFile::restore() {
-    if (!was_deleted()) {
+    if (in_place()) {
         return;
     }
-    std::string content(static_cast<std::size_t>(size_), '\0');
-    if (::pread(fd_, content.data(), content.size(), 0) != static_cast<ssize_t>(size_)) {
-        throw support::failure("{}: cannot be read back: {}", path_.string(), std::strerror(errno));
-    }
     support::make_writable_folder(path_.parent_path());
-    auto anew = create(path_, content);
+    auto anew = create(path_, content_);
     if (!anew) {
-        throw support::failure("{}: was deleted, and another file has its name now", path_.string());
+        throw support::failure("{}: was deleted or moved, and another file has its name now; move that "
+                               "elsewhere, and the session's is written anew",
+                               path_.string());
     }
     *this = std::move(*anew);
 }

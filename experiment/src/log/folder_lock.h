@@ -20,6 +20,10 @@ public:
     /// empty one away again in the end. Throws support::Failure, InputError.
     static std::optional<FolderLock> attempt(const fs::path& folder);
 
+    /// Whether attempt() would have it, as far as can be known without making anything. Throws
+    /// support::InputError where the folder, or the one that it would be made in, cannot be written.
+    static bool is_free(const fs::path& folder);
+
     FolderLock(FolderLock&& other) noexcept
         : fd_(std::exchange(other.fd_, -1)), made_(std::exchange(other.made_, fs::path())),
           made_parent_(std::exchange(other.made_parent_, fs::path())) {}

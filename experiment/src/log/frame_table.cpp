@@ -3,31 +3,61 @@
 
 #include "frame_table.h"
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
+#include <fstream>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <support/error.h>
 #include <support/file.h>
 
 namespace experiment {
 
-FrameTable::~FrameTable() {
+namespace {
+
+constexpr std::string_view header = "trial\tpicture\tasked\tswap_began\tonset\tmissed_frames\tpart\n";
+
+} // namespace
+
+void FrameTable::check(const fs::path& file, bool resumes) {
+    const fs::path folder = fs::absolute(file).parent_path();
+    std::error_code unknown;
+    if (!fs::is_directory(folder, unknown) || ::access(folder.c_str(), W_OK | X_OK) != 0) {
+        throw support::input_error("--frames: {}: expected a name in a folder that can be written, found: {}",
+                                   file.string(), std::strerror(errno));
+    }
+    if (!fs::exists(file)) {
+        return;
+    }
+    if (!resumes || !fs::is_regular_file(file) || !support::read_text(file).starts_with(header)) {
+        throw support::input_error("--frames: {}: expected a name that is free{}, found a file",
+                                   file.string(), resumes ? ", or the table of the run" : "");
+    }
+}
+
+void FrameTable::write() {
     if (!file_) {
         return;
     }
-    try {
-        std::string text = "trial\tpicture\tasked\tswap_began\tonset\tmissed_frames\n";
-        const auto flips = stage_.flips();
-        const double start_s = flips.empty() ? 0 : flips.front().onset_s;
-        for (const Flip& flip : flips) {
-            text += fmt::format("{}\t{}\t{:.6f}\t{:.6f}\t{:.6f}\t{}\n", flip.trial, flip.picture,
-                                flip.asked_s - start_s, flip.called_s - start_s, flip.onset_s - start_s,
-                                flip.missed_frames);
-        }
-        support::write_atomically(*file_, text);
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "skin2afc: warning: {}\n", support::one_line(error.what()));
+    std::error_code unknown;
+    std::string text(fs::exists(*file_, unknown) ? "" : header);
+    const auto flips = stage_.flips();
+    const double start_s = flips.empty() ? 0 : flips.front().onset_s;
+    for (std::size_t i = written_; i < flips.size(); ++i) {
+        const Flip& flip = flips[i];
+        text += fmt::format("{}\t{}\t{:.6f}\t{:.6f}\t{:.6f}\t{}\t{}\n", flip.trial, flip.picture,
+                            flip.asked_s - start_s, flip.called_s - start_s, flip.onset_s - start_s,
+                            flip.missed_frames, part_);
+    }
+    std::ofstream stream(*file_, std::ios::app | std::ios::binary);
+    stream << text << std::flush;
+    if (stream) {
+        written_ = flips.size();
+    } else {
+        fmt::print(stderr, "skin2afc: warning: --frames: {} cannot be written\n", file_->string());
     }
 }
 

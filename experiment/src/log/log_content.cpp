@@ -3,6 +3,7 @@
 
 #include "log_content.h"
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 #include <string_view>
@@ -105,6 +106,34 @@ void add_trial(const Line& line, LogContent& content) {
     content.trials.push_back(trial);
 }
 
+/// Take a last line without end for an answer where nothing of it is missing, as after an editor that drops
+/// the last line's end; whether that was so.
+bool take_unended(const Line& line, LogContent& content) {
+    // A number that was being written has fewer decimals than a whole one.
+    constexpr std::size_t decimals = 6;
+    if (line.cells.size() != column_count) {
+        return false;
+    }
+    const std::string& last = line.cells.back();
+    const std::size_t point = last.find('.');
+    if (last != missing && (point == std::string::npos || last.size() - point - 1 != decimals)) {
+        return false;
+    }
+    try {
+        add_trial(line, content);
+        return true;
+    } catch (const support::InputError&) {
+        return false;
+    }
+}
+
+void check_header(std::string_view row, const std::string& file) {
+    if (!row.starts_with(log_header)) {
+        throw support::input_error("{}:1: expected the columns of a session's log, found \"{}\"", file,
+                                   support::one_line(std::string(row)).substr(0, 60));
+    }
+}
+
 } // namespace
 
 LogContent read_log(const fs::path& file) {
@@ -114,23 +143,25 @@ LogContent read_log(const fs::path& file) {
     std::string_view rest = text;
     for (std::size_t line = 1;; ++line) {
         const std::size_t end = rest.find('\n');
+        std::string_view row = rest.substr(0, end);
+        if (line == 1) {
+            // The program makes a log with its header in one step: one without whole header was edited.
+            check_header(row, name);
+            if (end == std::string_view::npos) {
+                throw support::input_error("{}:1: expected the end of the line, found the file's", name);
+            }
+        }
         if (end == std::string_view::npos) {
-            content.torn = rest;
+            content.torn = take_unended({name, line, cells_of(row)}, content) ? "" : row;
             break;
         }
-        std::string_view row = rest.substr(0, end);
         rest.remove_prefix(end + 1);
         if (row.ends_with('\r')) {
             row.remove_suffix(1);
         }
-        if (line == 1) {
-            if (!row.starts_with(log_header)) {
-                throw support::input_error("{}:1: expected the columns of a session's log, found \"{}\"",
-                                           name, support::one_line(std::string(row)).substr(0, 60));
-            }
-            continue;
+        if (line > 1) {
+            add_trial({name, line, cells_of(row)}, content);
         }
-        add_trial({name, line, cells_of(row)}, content);
     }
     content.whole = static_cast<off_t>(text.size() - content.torn.size());
     return content;

@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 struct LogContent {
     std::vector<Trial> trials; ///< answered, in the order of the lines
     double last_s = 0;         ///< the last answer, in seconds since the session's start
-    off_t whole = 0;           ///< bytes of whole lines
-    std::string torn;          ///< what follows the last line's end: an answer that was being written
+    off_t whole = 0;           ///< bytes of whole lines, the last one's end perhaps missing
+    std::string torn;          ///< what follows them: an answer that was being written
 };
 
 /// Read a log. Throws support::InputError that names file, line, column, expectation and finding for a line

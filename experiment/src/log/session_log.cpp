@@ -66,11 +66,19 @@ SessionLog SessionLog::create(const fs::path& study, const std::string& label) {
     }
 }
 
-SessionLog SessionLog::resume(const fs::path& path, std::size_t answers, off_t whole) {
-    return SessionLog(DurableFile::reopen(path, whole), answers);
+SessionLog SessionLog::resume(const fs::path& path, const LogContent& content) {
+    return SessionLog(DurableFile::reopen(path, content.whole), content.trials.size());
+}
+
+void SessionLog::settle() {
+    file_.settle();
+    if (!file_.content().ends_with('\n')) {
+        file_.append("\n");
+    }
 }
 
 void SessionLog::append(const Answer& answer) {
+    settle();
     file_.append(log_row(answers_ + 1, answer));
     ++answers_;
 }

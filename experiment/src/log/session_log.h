@@ -10,6 +10,7 @@
 
 #include "../schedule.h"
 #include "durable_file.h"
+#include "log_content.h"
 
 namespace experiment {
 
@@ -41,14 +42,22 @@ public:
     /// own. Throws support::Failure.
     static SessionLog create(const fs::path& study, const std::string& label);
 
-    /// Go on with a run's log after its first `answers`, which end at the byte `whole`. Throws
+    /// Go on with a run's log after its answers; settle() takes off what follows them. Throws
     /// support::InputError where another program writes to it, support::Failure.
-    static SessionLog resume(const fs::path& path, std::size_t answers, off_t whole);
+    static SessionLog resume(const fs::path& path, const LogContent& content);
+    /// Leave whole lines only: take off a torn one, end one without end. Throws support::Failure.
+    void settle();
 
     /// Throws support::Failure; the answers before stay as they were.
     void append(const Answer& answer);
-    /// Where the log was deleted meanwhile, write it anew. Throws support::Failure.
+    /// Where the log was deleted or moved meanwhile, write it anew. Throws support::Failure, InputError.
     void restore() { file_.restore(); }
+    /// Throws support::Failure where the log was deleted, moved or changed meanwhile.
+    void check_unchanged() const { file_.check_unchanged(); }
+    /// Whether the log is still where it was made.
+    bool in_place() const { return file_.in_place(); }
+    /// The log as it should be on the disk.
+    const std::string& content() const { return file_.content(); }
 
     /// Answers on the disk.
     std::size_t answers() const { return answers_; }

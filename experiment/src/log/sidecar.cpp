@@ -21,6 +21,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
+constexpr const char* still_running = "running, or ended without notice";
+
 std::string operating_system() {
     struct utsname name {};
     return ::uname(&name) == 0 ? fmt::format("{} {} {}", name.sysname, name.release, name.machine) : "n/a";
@@ -49,6 +51,17 @@ ordered_json presentation(const StageFacts& stage) {
         facts["ScreenRefreshRate"] = *stage.refresh_hz;
     }
     return facts;
+}
+
+/// What may differ between the parts of a run.
+ordered_json screen_of(const StageFacts& stage) {
+    return {{"StimulusPresentation", presentation(stage)},
+            {"Monitor", stage.monitor},
+            {"StimulusWidth", or_na(stage.stimulus_width_deg)},
+            {"Pacing", stage.pacing},
+            {"RefreshRate", or_na(stage.refresh_hz)},
+            {"GLRenderer", stage.gl_renderer},
+            {"ResponseTimeResolution", or_na(stage.key_resolution_s)}};
 }
 
 ordered_json column(const char* description) { return {{"Description", description}}; }
@@ -86,17 +99,6 @@ ordered_json columns() {
     return all;
 }
 
-double system_clock_s() {
-    timespec now{};
-    ::clock_gettime(CLOCK_REALTIME, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-/// A time of the system's clock, as BIDS writes it, in universal time.
-std::string time_text(double time_s) {
-    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(static_cast<std::time_t>(time_s)));
-}
-
 /// The order of the trials in words, which a resumed session reads.
 ordered_json order_of(const Schedule& schedule) {
     ordered_json order = ordered_json::array();
@@ -117,7 +119,49 @@ void add_spread(ordered_json& to, const std::string& name, std::vector<double> v
     to[name + "Worst"] = *std::max_element(values_s.begin(), values_s.end());
 }
 
+/// What a participant may see the difference of.
+ordered_json flat_screen(const ordered_json& screen) {
+    ordered_json flat = ordered_json::object();
+    for (const char* key : {"Monitor", "StimulusWidth", "Pacing", "RefreshRate", "GLRenderer"}) {
+        flat[key] = screen.value(key, ordered_json("n/a"));
+    }
+    const ordered_json shown = screen.value("StimulusPresentation", ordered_json::object());
+    for (const char* key : {"ScreenSize", "ScreenDistance", "ScreenResolution"}) {
+        flat[key] = shown.is_object() ? shown.value(key, ordered_json("n/a")) : ordered_json("n/a");
+    }
+    return flat;
+}
+
+/// A line for each answered trial: how its grey, its saving and its frames went.
+ordered_json trials_of(std::size_t first, const StageFacts& facts, const std::vector<Flip>& flips,
+                       const Timing& timing) {
+    ordered_json trials = ordered_json::array();
+    for (std::size_t i = 0; i < timing.grey_error_s.size(); ++i) {
+        int pictures = 0, dropped = 0;
+        for (const Flip& flip : flips) {
+            pictures += flip.trial == first + i ? 1 : 0;
+            dropped += flip.trial == first + i ? flip.missed_frames : 0;
+        }
+        trials.push_back({{"Trial", first + i},
+                          {"GreyError", timing.grey_error_s[i]},
+                          {"SaveTime", timing.save_s[i]},
+                          {"Pictures", pictures},
+                          {"DroppedFrames", facts.dropped_frames ? ordered_json(dropped) : "n/a"}});
+    }
+    return trials;
+}
+
 } // namespace
+
+double system_clock_s() {
+    timespec now{};
+    ::clock_gettime(CLOCK_REALTIME, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+std::string Sidecar::time_text(double time_s) {
+    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(static_cast<std::time_t>(time_s)));
+}
 
 Sidecar::Sidecar(fs::path path, const study::Protocol& protocol, const SessionPlan& plan,
                  const std::string& manifest_digest, const StageFacts& stage)
@@ -128,7 +172,6 @@ Sidecar::Sidecar(fs::path path, const study::Protocol& protocol, const SessionPl
                      "Two-alternative forced choice: of two pictures of a face shown one after the "
                      "other, which looks most like real human skin"},
                     {"Instructions", fill_in(protocol.session.texts.instructions, 0, plan.schedule.size())},
-                    {"StimulusPresentation", presentation(stage)},
                     {"Protocol", protocol.name},
                     {"ProtocolDigest", protocol.digest},
                     {"StimuliManifestDigest", manifest_digest},
@@ -138,36 +181,38 @@ Sidecar::Sidecar(fs::path path, const study::Protocol& protocol, const SessionPl
                     {"Simulated", stage.observer.has_value()},
                     {"Observer", or_na(stage.observer)}};
     }
-    content_["StimulusPresentation"] = presentation(stage);
-    content_["Pacing"] = stage.pacing;
-    content_["RefreshRate"] = or_na(stage.refresh_hz);
-    content_["GLRenderer"] = stage.gl_renderer;
-    content_["ResponseTimeResolution"] = or_na(stage.key_resolution_s);
-    content_["WorstKeyDelay"] = "n/a";
-    content_["DroppedFrames"] = or_na(stage.dropped_frames);
+    if (!plan.resumes()) {
+        content_.update(screen_of(stage));
+    }
+    content_["WorstKeyDelay"] = content_.value("WorstKeyDelay", ordered_json("n/a"));
+    content_["DroppedFrames"] = content_.value("DroppedFrames", ordered_json("n/a"));
     content_["TrialsAnswered"] = plan.answered();
     content_["Complete"] = false;
-    content_["Ending"] = "running, or ended without notice";
+    content_["Ending"] = still_running;
     if (!plan.resumes()) {
-        content_["Monitor"] = stage.monitor;
-        content_["StimulusWidth"] = or_na(stage.stimulus_width_deg);
         content_["Consent"] = "n/a";
         content_["FinishedParticipants"] = plan.finished_participants;
         content_["Order"] = order_of(plan.schedule);
         content_["Parts"] = ordered_json::array();
         content_["Events"] = ordered_json::array();
         content_["SetAside"] = ordered_json::array();
+        content_["Warnings"] = ordered_json::array();
         content_.update(columns());
     }
-    content_["Warnings"] = stage.warnings;
-    begin_part(plan);
+    ordered_json& warnings = content_["Warnings"];
+    for (const std::string& warning : stage.warnings) {
+        if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) {
+            warnings.push_back(warning);
+        }
+    }
+    begin_part(plan, stage);
 }
 
 /// Note that the session begins or goes on.
-void Sidecar::begin_part(const SessionPlan& plan) {
+void Sidecar::begin_part(const SessionPlan& plan, const StageFacts& stage) {
     const double clock_s = clock_start_s(plan.log ? plan.log->last_s : 0);
     ordered_json& parts = content_["Parts"];
-    if (!parts.empty() && now_s_ < parts.back().value("SystemTime", now_s_)) {
+    if (plan.clock_set_back_s > 0) {
         content_["Events"].push_back(
             {{"Time", clock_s},
              {"Trial", plan.answered() + 1},
@@ -175,15 +220,17 @@ void Sidecar::begin_part(const SessionPlan& plan) {
               "the system's clock was set back since the run was broken off; onsets go on from the last "
               "answer"}});
     }
-    if (plan.log && !plan.log->torn.empty()) {
-        content_["SetAside"].push_back(plan.log->torn);
+    // A line that a part before this one set aside, but could not take off the log, is there already.
+    ordered_json& aside = content_["SetAside"];
+    if (plan.log && !plan.log->torn.empty() && (aside.empty() || aside.back() != plan.log->torn)) {
+        aside.push_back(plan.log->torn);
     }
     parts.push_back({{"FirstTrial", plan.answered() + 1},
                      {"StartTime", time_text(now_s_)},
                      {"SystemTime", now_s_},
                      {"ClockStart", clock_s},
-                     {"Pacing", content_["Pacing"]},
-                     {"Ending", "running, or ended without notice"}});
+                     {"Ending", still_running}});
+    parts.back().update(screen_of(stage));
 }
 
 double Sidecar::clock_start_s(double last_s) const {
@@ -201,30 +248,65 @@ void Sidecar::write() const {
                               content_.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
 }
 
-void Sidecar::note_consent() { content_["Consent"] = time_text(system_clock_s()); }
-
 void Sidecar::note(const std::vector<Event>& events) {
     for (const Event& event : events) {
         content_["Events"].push_back(
             {{"Time", event.time_s}, {"Trial", event.trial}, {"Event", support::one_line(event.what)}});
     }
-    write();
 }
 
-void Sidecar::finish(std::size_t answers, const std::string& ending, const StageFacts& stage,
+void Sidecar::finish(std::size_t answers, const std::string& ending, const Stage& stage,
                      const Timing& timing) {
-    content_["WorstKeyDelay"] = or_na(stage.worst_key_delay_s);
-    content_["DroppedFrames"] = or_na(stage.dropped_frames);
+    const StageFacts facts = stage.facts();
     content_["TrialsAnswered"] = answers;
     content_["Complete"] = answers == content_["TrialsPlanned"].get<std::size_t>();
     content_["Ending"] = ending;
     ordered_json& part = content_["Parts"].back();
     part["Ending"] = ending;
-    part["WorstKeyDelay"] = content_["WorstKeyDelay"];
-    part["DroppedFrames"] = content_["DroppedFrames"];
+    part["WorstKeyDelay"] = or_na(facts.worst_key_delay_s);
+    part["DroppedFrames"] = or_na(facts.dropped_frames);
     add_spread(part, "GreyError", timing.grey_error_s);
     add_spread(part, "SaveTime", timing.save_s);
-    write();
+    part["Trials"] = trials_of(part["FirstTrial"].get<std::size_t>(), facts, stage.flips(), timing);
+
+    // The run's are those of all its parts.
+    double worst_s = 0;
+    int dropped = 0;
+    for (const ordered_json& each : content_["Parts"]) {
+        const ordered_json delay = each.value("WorstKeyDelay", ordered_json());
+        if (delay.is_number()) {
+            content_["WorstKeyDelay"] = worst_s = std::max(worst_s, delay.get<double>());
+        }
+        const ordered_json frames = each.value("DroppedFrames", ordered_json());
+        if (frames.is_number_integer()) {
+            dropped += frames.get<int>();
+            content_["DroppedFrames"] = dropped;
+        }
+    }
+}
+
+std::vector<std::string> screen_changes(const ordered_json& sidecar, const StageFacts& stage) {
+    std::vector<std::string> changes;
+    if (!sidecar.is_object() || sidecar.value("Parts", ordered_json::array()).empty()) {
+        return changes;
+    }
+    // A refresh rate is measured anew each time.
+    constexpr double tolerance = 0.01;
+    const auto differ = [](const ordered_json& a, const ordered_json& b) {
+        return a.is_number() && b.is_number()
+                   ? std::abs(a.get<double>() - b.get<double>()) > tolerance * std::abs(a.get<double>())
+                   : a != b;
+    };
+    const ordered_json before = flat_screen(sidecar["Parts"].back());
+    const ordered_json after = flat_screen(screen_of(stage));
+    for (const auto& [key, now] : after.items()) {
+        const auto old = before.find(key);
+        if (now != "n/a" && old != before.end() && differ(*old, now)) {
+            changes.push_back(fmt::format("{} is {}, and was {} when the run was broken off", key, now.dump(),
+                                          support::one_line(old->dump()).substr(0, 80)));
+        }
+    }
+    return changes;
 }
 
 } // namespace experiment

@@ -19,6 +19,9 @@ namespace experiment {
 
 namespace fs = std::filesystem;
 
+/// Seconds of the system's clock.
+double system_clock_s();
+
 /// The JSON file beside a log: how the log came about, in which order its trials were planned, and what its
 /// columns mean.
 class Sidecar {
@@ -29,25 +32,29 @@ public:
 
     /// Write the file, or replace it in one step. Throws support::Failure.
     void write() const;
-    /// Note when the participant agreed to take part.
-    void note_consent();
-    /// Add events and write. Throws support::Failure.
+    /// Note when the participant agreed to take part, by the system's clock.
+    void note_consent(double time_s) { content_["Consent"] = time_text(time_s); }
+    /// Add events.
     void note(const std::vector<Event>& events);
-    /// Add what is known at the end and write; `ending` says how the session ended.
-    void finish(std::size_t answers, const std::string& ending, const StageFacts& stage,
-                const Timing& timing);
+    /// Add what is known at the end; `ending` says how the session ended.
+    void finish(std::size_t answers, const std::string& ending, const Stage& stage, const Timing& timing);
 
+    /// A time of the system's clock, as BIDS writes it, in universal time.
+    static std::string time_text(double time_s);
     const nlohmann::ordered_json& content() const { return content_; }
     /// When the session is gone on with, its clock: seconds since its start, by the system's clock, but not
     /// before `last_s`.
     double clock_start_s(double last_s) const;
 
 private:
-    void begin_part(const SessionPlan& plan);
+    void begin_part(const SessionPlan& plan, const StageFacts& stage);
 
     fs::path path_;
     nlohmann::ordered_json content_;
     double now_s_; // of the system's clock, when this part began
 };
+
+/// How the screen differs from that of a run's last part, a line each; none for a new run (null).
+std::vector<std::string> screen_changes(const nlohmann::ordered_json& sidecar, const StageFacts& stage);
 
 } // namespace experiment

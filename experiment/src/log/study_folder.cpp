@@ -137,4 +137,24 @@ void StudyFolder::keep_contact_sheet(const fs::path& sheet) const {
     pending.commit();
 }
 
+StudyCopy::StudyCopy(fs::path folder) : folder_(std::move(folder)) {
+    for (const char* name : {"dataset_description.json", "participants.tsv", "participants.json",
+                             "phenotype/questionnaire.tsv", "phenotype/questionnaire.json"}) {
+        if (fs::exists(folder_ / name)) {
+            contents_[folder_ / name] = support::read_text(folder_ / name);
+        }
+    }
+}
+
+void StudyCopy::restore() const {
+    support::make_writable_folder(folder_);
+    const FolderLock lock = FolderLock::wait(folder_);
+    for (const auto& [file, content] : contents_) {
+        if (!fs::exists(file)) {
+            support::make_writable_folder(file.parent_path());
+            support::write_atomically(file, content);
+        }
+    }
+}
+
 } // namespace experiment

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 
 namespace experiment {
@@ -34,6 +35,19 @@ private:
     fs::path folder_;
     bool simulated_;
     std::string protocol_;
+};
+
+/// What a study holds of all its participants, kept in memory to write it anew where it is deleted.
+class StudyCopy {
+public:
+    /// Read it. Throws support::InputError.
+    explicit StudyCopy(fs::path folder);
+    /// Write what is no longer there. Throws support::Failure, InputError.
+    void restore() const;
+
+private:
+    fs::path folder_;
+    std::map<fs::path, std::string> contents_;
 };
 
 } // namespace experiment

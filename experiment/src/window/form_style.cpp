@@ -74,19 +74,4 @@ void apply_style(float font_px) {
     style.Colors[ImGuiCol_ScrollbarGrab] = field_ground;
 }
 
-void choose(const Form& form, std::size_t place, FormAnswer& answer) {
-    if (place >= form.choices.size()) {
-        return;
-    }
-    auto& chosen = answer.chosen;
-    const auto found = std::find(chosen.begin(), chosen.end(), place);
-    if (form.kind == Form::Kind::choice) {
-        chosen = {place};
-    } else if (found != chosen.end()) {
-        chosen.erase(found);
-    } else {
-        chosen.insert(std::upper_bound(chosen.begin(), chosen.end(), place), place);
-    }
-}
-
 } // namespace experiment

@@ -32,7 +32,4 @@ FormFonts load_fonts(const std::vector<std::string>& texts, int height_px);
 /// Colours and distances; `font_px` is the large font's size.
 void apply_style(float font_px);
 
-/// Choose a place, or take a choice of several back; places that there are not stay unchosen.
-void choose(const Form& form, std::size_t place, FormAnswer& answer);
-
 } // namespace experiment

@@ -33,19 +33,6 @@ constexpr float foot_em = 3.2F;       // height of the last line's room
 constexpr int form_flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
 
-Form close_form() {
-    Form form;
-    form.kind = Form::Kind::choice;
-    form.id = "close";
-    form.text =
-        "Someone asked to close this window.\n\nEnd the session? What was answered so far is saved, and the "
-        "session can be gone on with.";
-    form.choices = {"Go on with the session", "End the session"};
-    form.next = "Enter: confirm";
-    form.missing = "Please press 1 or 2.";
-    return form;
-}
-
 /// Text broken at spaces, with more room between its lines than ImGui leaves.
 void draw_lines(const std::string& text, float width) {
     const ImFont& font = *ImGui::GetFont();
@@ -64,7 +51,8 @@ void draw_lines(const std::string& text, float width) {
 
 } // namespace
 
-FormView::FormView(Window& window, const std::vector<std::string>& texts) : window_(window) {
+FormView::FormView(Window& window, const std::vector<std::string>& texts, const study::SessionTexts& words)
+    : window_(window), words_(words) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr; // writes no file of its own
@@ -97,6 +85,18 @@ FormAnswer FormView::ask(const Form& form) {
     return answer;
 }
 
+Form FormView::close_form() const {
+    Form form;
+    form.kind = Form::Kind::choice;
+    form.id = "close";
+    form.text = words_.close;
+    form.choices = {words_.go_on, words_.stop};
+    form.next = words_.next;
+    form.missing = words_.missing;
+    form.more = words_.more;
+    return form;
+}
+
 void FormView::confirm_leaving() {
     if (show(close_form(), false).chosen.front() == 1) {
         throw Interrupted("the window was closed");
@@ -124,6 +124,13 @@ FormAnswer FormView::show(const Form& form, bool asks_to_close) {
     return state.answer;
 }
 
+/// Take the answer if it will do and what it answers was on the screen.
+void FormView::confirm(const Form& form, State& state) {
+    const bool read = state.end_seen || !form.read_to_end;
+    state.done = read && will_do(form, state.answer);
+    state.refused = read && !state.done;
+}
+
 /// Digits choose, Enter goes on, Page Up goes back.
 void FormView::take_keys(const Form& form, State& state) {
     // ImGui sees a key only where it is down at a frame: keep a key that was tapped between two frames down
@@ -142,8 +149,7 @@ void FormView::take_keys(const Form& form, State& state) {
         if ((digit || keypad) && !form.choices.empty()) {
             choose(form, static_cast<std::size_t>(key - (digit ? GLFW_KEY_1 : GLFW_KEY_KP_1)), state.answer);
         } else if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER) {
-            state.done = will_do(form, state.answer);
-            state.refused = !state.done;
+            confirm(form, state);
         } else if (key == GLFW_KEY_PAGE_UP && form.can_go_back) {
             state.answer.back = true;
             state.done = true;
@@ -168,7 +174,7 @@ void FormView::draw(const Form& form, State& state) {
     ImGui::PopFont();
     ImGui::PushFont(large_);
     const float rest = ImGui::GetContentRegionAvail().y - answer_height(form) - foot_em * large_->FontSize;
-    draw_body(form, rest);
+    draw_body(form, rest, state);
     draw_answer(form, state);
     draw_foot(form, state);
     ImGui::PopFont();
@@ -177,34 +183,16 @@ void FormView::draw(const Form& form, State& state) {
 }
 
 /// The text, as high as it is, or scrolling where there is less room.
-void FormView::draw_body(const Form& form, float height) const {
+void FormView::draw_body(const Form& form, float height, State& state) const {
     ImGui::Dummy({0, large_->FontSize / 2});
-    const float left = ImGui::GetContentRegionAvail().x;
-    const float lines = ImGui::CalcTextSize(form.text.c_str(), nullptr, false, left).y / large_->FontSize;
+    const float room = ImGui::GetContentRegionAvail().x;
+    const float lines = ImGui::CalcTextSize(form.text.c_str(), nullptr, false, room).y / large_->FontSize;
     const float needed = (lines * line_em + 1) * large_->FontSize;
     const bool whole = form.facts.empty() && form.warnings.empty() && needed < height;
     ImGui::BeginChild("text", {0, whole ? needed : height}, false, ImGuiWindowFlags_NoNav);
-    draw_lines(form.text, left);
-    ImGui::PushTextWrapPos(0);
-    if (!form.facts.empty()) {
-        ImGui::PushFont(small_);
-        ImGui::Dummy({0, small_->FontSize / 2});
-        for (const auto& [name, value] : form.facts) {
-            ImGui::TextColored(dim_ink, "%s", name.c_str());
-            ImGui::SameLine(name_em * small_->FontSize);
-            ImGui::TextUnformatted(value.c_str());
-        }
-        ImGui::Dummy({0, small_->FontSize / 2});
-        for (const std::string& warning : form.warnings) {
-            ImGui::TextColored(warning_ink, "!");
-            ImGui::SameLine(warning_em * small_->FontSize);
-            ImGui::PushStyleColor(ImGuiCol_Text, warning_ink);
-            ImGui::TextUnformatted(warning.c_str());
-            ImGui::PopStyleColor();
-        }
-        ImGui::PopFont();
-    }
-    ImGui::PopTextWrapPos();
+    // A scrollbar takes its width from the lines.
+    draw_lines(form.text, whole ? room : room - ImGui::GetStyle().ScrollbarSize);
+    draw_facts(form);
     // Arrow keys scroll a text that is longer than its room.
     const float line = ImGui::GetTextLineHeight();
     for (const auto& [key, by] : {std::pair{GLFW_KEY_DOWN, line}, std::pair{GLFW_KEY_UP, -line}}) {
@@ -212,7 +200,40 @@ void FormView::draw_body(const Form& form, float height) const {
             ImGui::SetScrollY(std::clamp(ImGui::GetScrollY() + by / 4, 0.0F, ImGui::GetScrollMaxY()));
         }
     }
+    // ImGui knows how far a text scrolls when it was drawn before; till then it knows the last form's.
+    constexpr int settled_frames = 3;
+    if (++state.frames < settled_frames) {
+        ImGui::SetScrollY(0);
+    } else {
+        state.goes_on = ImGui::GetScrollY() < ImGui::GetScrollMaxY() - 1;
+        state.end_seen = state.end_seen || !state.goes_on;
+    }
     ImGui::EndChild();
+}
+
+/// A table, and warnings below it, in small letters.
+void FormView::draw_facts(const Form& form) const {
+    if (form.facts.empty()) {
+        return;
+    }
+    ImGui::PushTextWrapPos(0);
+    ImGui::PushFont(small_);
+    ImGui::Dummy({0, small_->FontSize / 2});
+    for (const auto& [name, value] : form.facts) {
+        ImGui::TextColored(dim_ink, "%s", name.c_str());
+        ImGui::SameLine(name_em * small_->FontSize);
+        ImGui::TextUnformatted(value.c_str());
+    }
+    ImGui::Dummy({0, small_->FontSize / 2});
+    for (const std::string& warning : form.warnings) {
+        ImGui::TextColored(warning_ink, "!");
+        ImGui::SameLine(warning_em * small_->FontSize);
+        ImGui::PushStyleColor(ImGuiCol_Text, warning_ink);
+        ImGui::TextUnformatted(warning.c_str());
+        ImGui::PopStyleColor();
+    }
+    ImGui::PopFont();
+    ImGui::PopTextWrapPos();
 }
 
 float FormView::answer_height(const Form& form) const {
@@ -273,7 +294,8 @@ void FormView::draw_field(const Form& form, State& state) const {
 void FormView::draw_foot(const Form& form, State& state) const {
     const float font = large_->FontSize;
     ImGui::SetCursorPosY(ImGui::GetWindowHeight() - foot_em * font);
-    ImGui::TextColored(warning_ink, "%s", state.refused ? form.missing.c_str() : "");
+    const std::string& said = state.refused ? form.missing : form.more;
+    ImGui::TextColored(warning_ink, "%s", state.refused || state.goes_on ? said.c_str() : "");
     ImGui::PushFont(small_);
     const auto width_of = [&](const std::string& label) {
         return ImGui::CalcTextSize(label.c_str()).x + 2 * font;
@@ -287,8 +309,7 @@ void FormView::draw_foot(const Form& form, State& state) const {
     }
     ImGui::SetCursorPosX(ImGui::GetWindowWidth() - width_of(form.next));
     if (ImGui::Button(form.next.c_str(), {width_of(form.next), 0})) {
-        state.done = will_do(form, state.answer);
-        state.refused = !state.done;
+        confirm(form, state);
     }
     ImGui::PopStyleVar();
     ImGui::PopFont();

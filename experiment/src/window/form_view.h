@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <study/session.h>
+
 #include "../form.h"
 #include "window.h"
 
@@ -17,7 +19,7 @@ namespace experiment {
 class FormView {
 public:
     /// `texts` hold every letter that forms will show. Throws support::Failure without a font.
-    FormView(Window& window, const std::vector<std::string>& texts);
+    FormView(Window& window, const std::vector<std::string>& texts, const study::SessionTexts& words);
     ~FormView();
     FormView(const FormView&) = delete;
     FormView& operator=(const FormView&) = delete;
@@ -29,14 +31,19 @@ public:
     void confirm_leaving();
 
 private:
-    /// What is on the screen: the answer so far, and whether it was found wanting.
+    /// What is on the screen: the answer so far, whether it was found wanting, whether the text goes on below
+    /// and whether its end was seen.
     struct State {
         FormAnswer answer = {};
-        bool done = false, refused = false;
+        bool done = false, refused = false, goes_on = false, end_seen = false;
+        int frames = 0;
     };
+    static void confirm(const Form& form, State& state);
+    Form close_form() const;
     FormAnswer show(const Form& form, bool asks_to_close);
     void draw(const Form& form, State& state);
-    void draw_body(const Form& form, float height) const;
+    void draw_body(const Form& form, float height, State& state) const;
+    void draw_facts(const Form& form) const;
     void draw_answer(const Form& form, State& state) const;
     void draw_choices(const Form& form, State& state) const;
     void draw_field(const Form& form, State& state) const;
@@ -46,6 +53,7 @@ private:
     void render() const;
 
     Window& window_;
+    const study::SessionTexts words_;
     std::vector<int> tapped_; // since the last frame but one
     ImFont *large_ = nullptr, *small_ = nullptr;
     float width_ = 0, height_ = 0; // of the framebuffer, px

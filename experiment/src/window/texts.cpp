@@ -46,7 +46,11 @@ void check_texts(const study::Protocol& protocol, std::size_t trials, const std:
     for (const auto& [name, text] :
          {std::pair{"consent", texts.consent}, std::pair{"agree", texts.agree},
           std::pair{"decline", texts.decline}, std::pair{"next", texts.next}, std::pair{"back", texts.back},
-          std::pair{"question", texts.question}, std::pair{"missing", texts.missing}}) {
+          std::pair{"question", texts.question}, std::pair{"missing", texts.missing},
+          std::pair{"more", texts.more}, std::pair{"trouble", texts.trouble},
+          std::pair{"try_again", texts.try_again}, std::pair{"stop", texts.stop},
+          std::pair{"close", texts.close}, std::pair{"go_on", texts.go_on},
+          std::pair{"screen", texts.screen}}) {
         check_letters(text, field(std::string("texts.") + name));
     }
     for (std::size_t i = 0; i < protocol.session.questions.size(); ++i) {
@@ -60,8 +64,9 @@ void check_texts(const study::Protocol& protocol, std::size_t trials, const std:
 
 std::vector<std::string> form_texts(const study::Protocol& protocol) {
     const study::SessionTexts& texts = protocol.session.texts;
-    std::vector<std::string> all{protocol.title, texts.consent, texts.agree,    texts.decline,
-                                 texts.next,     texts.back,    texts.question, texts.missing};
+    std::vector<std::string> all{protocol.title,  texts.consent,  texts.agree,   texts.decline, texts.next,
+                                 texts.back,      texts.question, texts.missing, texts.more,    texts.trouble,
+                                 texts.try_again, texts.stop,     texts.close,   texts.go_on,   texts.screen};
     for (const study::Question& question : protocol.session.questions) {
         all.push_back(question.text + question.units);
         all.insert(all.end(), question.choices.begin(), question.choices.end());

@@ -142,12 +142,15 @@ void Window::wait_for_back_buffer() {
     glFinish();
 }
 
-/// Whether these are the experimenter's keys, by the letter that is printed on the key.
+/// Whether these are the experimenter's keys, by the letter that is printed on the key; where that is none of
+/// the Latin alphabet and no digit (Cyrillic; the digits' row of AZERTY), by the key's place.
 bool Window::ends_session(int key, int scancode, int modifiers) const {
     const char* name = glfwGetKeyName(key, scancode);
-    const auto lower = [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); };
+    const auto latin = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
+    // GLFW numbers keys by the ASCII capital or digit that a US keyboard has there.
+    const int printed = name && latin(name[0]) && name[1] == '\0' ? name[0] : key;
     const auto holds = [&](int modifier) { return (modifiers & modifier) != 0; };
-    return name && lower(name[0]) == leave_.key && name[1] == '\0' &&
+    return printed >= 0 && printed < 128 && std::tolower(printed) == leave_.key &&
            holds(GLFW_MOD_CONTROL) == leave_.ctrl && holds(GLFW_MOD_SHIFT) == leave_.shift &&
            holds(GLFW_MOD_ALT) == leave_.alt;
 }

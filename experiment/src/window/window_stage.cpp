@@ -53,7 +53,7 @@ WindowStage::WindowStage(const study::Protocol& protocol, const std::map<Stimulu
 
 WindowStage::WindowStage(const study::Protocol& protocol, const ScreenOptions& options, const Load& load)
     : window_(protocol.image.width, protocol.image.height, options, protocol.session.leave),
-      forms_(window_, form_texts(protocol)),
+      forms_(window_, form_texts(protocol), protocol.session.texts), texts_(protocol.session.texts),
       pictures_(load(window_)), least_size_{protocol.image.width, protocol.image.height} {
     flips_.reserve(flips_reserved);
     describe_screen(window_.monitor(), protocol, options, screen_);
@@ -100,11 +100,10 @@ void WindowStage::wait_out_change() {
          size = window_.framebuffer_size()) {
         Form form;
         form.id = "screen";
-        form.text = fmt::format(
-            "The screen has become too small: {} x {} pixels, where the pictures have {} x {}.\n\n"
-            "Please call the experimenter. The session goes on when the screen is as it was.",
-            size[0], size[1], least_size_[0], least_size_[1]);
-        form.next = "Enter: look again";
+        form.text = texts_.screen;
+        form.facts = {
+            {"px", fmt::format("{} x {} < {} x {}", size[0], size[1], least_size_[0], least_size_[1])}};
+        form.next = texts_.next;
         forms_.ask(form);
     }
 }
@@ -223,11 +222,11 @@ bool WindowStage::tell_trouble(const std::string& message) {
     Form form;
     form.kind = Form::Kind::choice;
     form.id = "trouble";
-    form.text = "Please call the experimenter.\n\n" + message +
-                "\n\nThe last answer is kept in memory until it is saved.";
-    form.choices = {"Try again", "End the session"};
-    form.next = "Enter: confirm";
-    form.missing = "Please press 1 or 2.";
+    form.text = texts_.trouble + "\n\n" + message;
+    form.choices = {texts_.try_again, texts_.stop};
+    form.next = texts_.next;
+    form.missing = texts_.missing;
+    form.more = texts_.more;
     return forms_.ask(form).chosen.front() == 0;
 }
 

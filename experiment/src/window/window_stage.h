@@ -60,6 +60,7 @@ private:
 
     Window window_;
     FormView forms_;
+    study::SessionTexts texts_;
     PictureStore pictures_;
     StageFacts screen_;
     std::array<int, 2> least_size_; // of the framebuffer: the stimulus's

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct Question {
     std::vector<std::string> choices = {}; ///< as shown, at most most_choices
     std::vector<std::string> values = {};  ///< as written to the answers, one a choice
     bool optional = false;                 ///< may be left without answer
+
+    /// The place of the choice of value "none", which excludes the others; their number where there is none.
+    std::size_t none_place() const;
 };
 
 constexpr std::size_t most_choices = 9; ///< each has a digit of its own
@@ -39,7 +43,9 @@ std::string text_of(const KeyChord& chord);
 struct SessionTexts {
     std::string consent, agree, decline, declined;
     std::string instructions, practice, practice_end, trial, early, pause, end;
-    std::string next, back, question, missing;
+    std::string next, back, question, missing, more;
+    std::string trouble, try_again, stop, close, go_on,
+        screen; ///< what happens unasked, and what can be done
 };
 
 struct SessionSettings {

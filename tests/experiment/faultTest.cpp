@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#include <cstdlib>
+
+#include <sys/mount.h>
+
+#include "window_fixture.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using fixture::grey;
+using fixture::page_ground;
+using fixture::VirtualScreen;
+using fixture::WindowTest;
+
+/// Faults that are made while a participant sits at the screen.
+class FaultTest : public WindowTest {
+protected:
+    /// Answer the page that says what failed.
+    void try_again() const {
+        std::this_thread::sleep_for(std::chrono::milliseconds(700));
+        VirtualScreen::key("1");
+        VirtualScreen::key("Return");
+        std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    }
+    bool runs() const { return ::waitpid(program_, nullptr, WNOHANG) == 0; }
+    std::vector<std::string> study_files() const { return fixture::files_below(study()); }
+};
+
+TEST_F(FaultTest, bringsBackAStudyThatWasMovedAway) {
+    start("[0, 60]", 0.1);
+    leave_instructions();
+    run_trial(0, "1");
+    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    const auto files = study_files();
+    fs::rename(study(), folder_ / "moved");
+    run_trial(1, "2");
+    try_again();
+    EXPECT_EQ(study_files(), files);
+    ASSERT_EQ(fixture::read_log(log()).size(), 2U);
+    EXPECT_EQ(fixture::read_log(fixture::log_path(folder_ / "moved", "01")).size(), 1U);
+    ::kill(program_, SIGTERM);
+    finish();
+    EXPECT_NE(fixture::read(sidecar()).find("was deleted or moved while the session ran"), std::string::npos);
+}
+
+TEST_F(FaultTest, keepsTheAnswerWhileAFileStandsInTheStudysPlace) {
+    start("[0, 60]", 0.1);
+    leave_instructions();
+    run_trial(0, "1");
+    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    const auto files = study_files();
+    fs::remove_all(study());
+    fixture::write(study(), "");
+    run_trial(1, "2");
+    try_again();
+    ASSERT_TRUE(runs());
+    fs::remove(study());
+    try_again();
+    EXPECT_EQ(study_files(), files);
+    ASSERT_EQ(fixture::read_log(log()).size(), 2U);
+    EXPECT_EQ(fixture::read_log(log())[1].at("response"), "2");
+}
+
+TEST_F(FaultTest, saysThatTheSidecarFindsNoRoomAndGoesOn) {
+    fs::create_directories(study());
+    if (::mount("tmpfs", study().c_str(), "tmpfs", 0, "size=1m") != 0) {
+        GTEST_SKIP() << "only root can mount a small file system";
+    }
+    start("[0]", 0.1);
+    leave_instructions();
+    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    // Fill the disk; the log's own block has room for the answer, the sidecar has none to be written anew.
+    const auto free = fs::space(study()).available;
+    fixture::write(study() / "filling", std::string(free, 'x'));
+    run_trial(0, "1"); // with a key that came too early, which the sidecar notes
+    try_again();
+    EXPECT_TRUE(runs());
+    EXPECT_EQ(fixture::read_log(log()).size(), 1U);
+    EXPECT_EQ(fixture::read(sidecar()).find("answers before the second"), std::string::npos);
+    fs::remove(study() / "filling");
+    try_again();
+    run_trial(1, "2");
+    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    EXPECT_EQ(fixture::read_log(log()).size(), 2U);
+    EXPECT_EQ(nlohmann::json::parse(fixture::read(sidecar()))["Complete"], true);
+    ::kill(program_, SIGKILL);
+    finish();
+    ::umount2(study().c_str(), MNT_DETACH);
+}
+
+TEST_F(FaultTest, endsByTheExperimentersKeysOnACyrillicKeyboard) {
+    ASSERT_EQ(std::system("setxkbmap ru"), 0);
+    start("[0]", 0.1);
+    leave_instructions();
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    VirtualScreen::key("ctrl+shift+Cyrillic_shorti"); // where others have Q
+    const auto outcome = finish();
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_NE(outcome.err.find("the experimenter ended the session (Ctrl+Shift+Q)"), std::string::npos)
+        << outcome.err;
+}
+
+} // namespace
