@@ -143,6 +143,14 @@ std::string group_label(const GroupRow& group) {
                                     : group.level + "\u00b0";
 }
 
+/// What a table's p-values are corrected for, and where its digits are.
+std::string corrections(std::size_t rows, std::string_view file) {
+    return fmt::format(
+        "Corrected over the {} rows of the table: the sign-flip p by Holm, the chi-square's p by Holm "
+        "and Benjamini\u2013Hochberg; no other p. Marked: p above {}. {} has every digit.",
+        rows, alpha, file);
+}
+
 } // namespace
 
 std::string table2_html(const Analysis& analysis) {
@@ -182,13 +190,9 @@ std::string shaders_html(const Analysis& analysis) {
                         group.tally,
                         group.figures});
     }
-    return paragraph(
-               fmt::format(
-                   "Each shader over all conditions, by distance and by azimuth. Corrected over the {} rows "
-                   "of the table: the sign-flip p by Holm, the chi-square's p by Holm and "
-                   "Benjamini\u2013Hochberg; no other p. Marked: p above {}. shaders.tsv has every digit.",
-                   analysis.groups.size(), alpha),
-               "note") +
+    return paragraph("Each shader over all conditions, by distance and by azimuth. " +
+                         corrections(analysis.groups.size(), "shaders.tsv"),
+                     "note") +
            both_tables({"Shader", "Verdict"}, 1, rows);
 }
 
@@ -200,13 +204,7 @@ std::string conditions_html(const Analysis& analysis) {
                         tally,
                         figures});
     }
-    return paragraph(
-               fmt::format(
-                   "Corrected over the {} rows of the table: the sign-flip p by Holm, the chi-square's p by "
-                   "Holm and "
-                   "Benjamini\u2013Hochberg; no other p. Marked: p above {}. table2.tsv has every digit.",
-                   analysis.rows.size(), alpha),
-               "note") +
+    return paragraph(corrections(analysis.rows.size(), "table2.tsv"), "note") +
            both_tables({"Configuration", "Test"}, 2, rows);
 }
 

@@ -35,16 +35,17 @@ constexpr const char* footer = R"(DESCRIPTION
   The model stands in its place as often as there are heads; texture space keeps a map of 1024 texels for each.
 
   ts is timed in its published form ("faithful"): an irradiance map for each head whether it can be seen or not, the
-  lighting of the final pass as the narrowest Gaussian. "culled" is ts with maps lit and sized by what the camera sees. Out of view the program skips all of ts as well; there the
-  faithful form is with culling off.
+  lighting of the final pass as the narrowest Gaussian. "culled" is ts with maps lit and sized by what the camera sees.
+  Out of view the program skips all of ts as well; there the faithful form is with culling off.
 
   Every setting is checked before anything is timed: its frames are finite, the same twice, empty only where they are
-  to be, and the same from all shaders where the heads are hidden. Then each round times every scene and setting once, in an order drawn from a fixed seed, the settings
-  of a scene side by side; scenes are timed in five blocks, so that memory holds their maps. Every frame has a new
-  light and a new camera and computes all it needs; reading the picture back is left out. Times are wall time up to
-  the end of the frame where OpenGL runs on the CPU, else GL_TIME_ELAPSED; those of scattering, bloom and depth of field
-  by themselves are wall time up to the end of each. Median and median absolute deviation; a ratio is the
-  median over the rounds of the ratios within a round.
+  to be, and the same from all shaders where the heads are hidden. Then each round times every scene and setting once,
+  in an order drawn from a fixed seed, the settings of a scene side by side; scenes are timed in five blocks, so that
+  memory holds their maps. Every frame has a new light and a new camera and computes all it needs; reading the picture
+  back is left out. Times are wall time up to the end of the frame where OpenGL runs on the CPU, else GL_TIME_ELAPSED;
+  those of scattering, bloom and depth of field by themselves are wall time up to the end of each. Median and median
+  absolute deviation. Frames over those of faithful ts and the share of scattering far away are medians over the rounds
+  of ratios within a round; frames over those of culled ts and the growth from one to five heads are ratios of medians.
 
 FILES WRITTEN, with --out
   DIR/frames.tsv  table, axis, value, shader, msaa, time_ms, time_spread_ms, fps, fps_over_ts, published_fps_over_ts,
