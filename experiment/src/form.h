@@ -32,8 +32,8 @@ struct Form {
     std::string units;
     std::optional<std::size_t> alone; ///< a place of multiple choices that excludes the others
     bool optional = false, can_go_back = false;
-    bool read_to_end = false;        ///< whether the text's end must have been seen
-    FormAnswer given;                ///< that it shows at first
+    std::optional<std::size_t> after_reading; ///< a choice for which the text's end must have been seen
+    FormAnswer given;                         ///< that it shows at first
     std::string next, back, missing; ///< what the keys do; what is said to an answer that will not do
     std::string more;                ///< what is said where the text goes on below
 };

@@ -129,7 +129,7 @@ bool ask_consent(const study::SessionTexts& texts, Stage& stage) {
     form.next = texts.next;
     form.missing = texts.missing;
     form.more = texts.more;
-    form.read_to_end = true;
+    form.after_reading = 0; // to agree; no one has to read on to decline
     return stage.ask(form).chosen.front() == 0;
 }
 

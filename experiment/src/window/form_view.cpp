@@ -126,7 +126,10 @@ FormAnswer FormView::show(const Form& form, bool asks_to_close) {
 
 /// Take the answer if it will do and what it answers was on the screen.
 void FormView::confirm(const Form& form, State& state) {
-    const bool read = state.end_seen || !form.read_to_end;
+    const bool must_read =
+        form.after_reading && std::find(state.answer.chosen.begin(), state.answer.chosen.end(),
+                                        *form.after_reading) != state.answer.chosen.end();
+    const bool read = state.end_seen || !must_read;
     state.done = read && will_do(form, state.answer);
     state.refused = read && !state.done;
 }
