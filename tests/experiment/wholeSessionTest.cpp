@@ -71,6 +71,19 @@ protected:
         protocol_ = study::read_protocol(folder_ / "whole.toml");
         fixture::write_stimuli(folder_ / "stimuli", protocol_);
     }
+    /// Make the consent longer than the screen.
+    void write_long_consent() {
+        std::string toml = fixture::read(protocol_.file), paragraphs;
+        for (int i = 1; i <= 14; ++i) {
+            paragraphs +=
+                fmt::format("{}. We study how skin looks, and this sentence is so long that it is broken "
+                            "where the line ends, wherever that may be.\\n\\n",
+                            i);
+        }
+        const std::string name = "consent = \"";
+        toml.insert(toml.find(name) + name.size(), paragraphs);
+        fixture::write(protocol_.file, toml);
+    }
     ~WholeSessionTest() override {
         // What was on each screen is worth a look where something went wrong.
         if (HasFailure()) {
@@ -215,17 +228,22 @@ TEST_F(WholeSessionTest, leadsAParticipantFromTheConsentToTheEnd) {
               3);
 }
 
+TEST_F(WholeSessionTest, letsAParticipantDeclineUnread) {
+    write_long_consent();
+    start();
+    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
+    settle("start");
+    key("Return");
+    settle("consent");
+    key("2");
+    settle("consent_declined");
+    key("Return");
+    settle("declined");
+    EXPECT_TRUE(fixture::files_below(study()).empty());
+}
+
 TEST_F(WholeSessionTest, takesNoConsentToATextThatWasNotSeenToItsEnd) {
-    std::string toml = fixture::read(protocol_.file), paragraphs;
-    for (int i = 1; i <= 14; ++i) {
-        paragraphs +=
-            fmt::format("{}. We study how skin looks, and this sentence is so long that it is broken "
-                        "where the line ends, wherever that may be.\\n\\n",
-                        i);
-    }
-    const std::string name = "consent = \"";
-    toml.insert(toml.find(name) + name.size(), paragraphs);
-    fixture::write(protocol_.file, toml);
+    write_long_consent();
     start();
     ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
     settle("start");
