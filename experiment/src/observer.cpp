@@ -7,6 +7,7 @@
 #include <array>
 
 #include <support/error.h>
+#include <support/file.h>
 #include <support/toml_table.h>
 
 namespace experiment {
@@ -40,6 +41,8 @@ constexpr std::array<PublishedCounts, 12> published{{
 
 Observer::Observer(const std::string& description, const study::Protocol& protocol)
     : description_(description), reference_(protocol.session.reference) {
+    const bool from_file = description != "paper" && description != "null";
+    digest_ = from_file ? support::sha256_of_file(description) : support::sha256(description);
     if (description == "paper") {
         take_published_counts(protocol);
     } else if (description == "null") {

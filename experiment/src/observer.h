@@ -35,6 +35,8 @@ public:
     const Behaviour& behaviour() const { return behaviour_; }
     /// The description it was made from.
     const std::string& description() const { return description_; }
+    /// SHA-256 of the file it was made from, or of its name.
+    const std::string& digest() const { return digest_; }
     /// The shader that the others are compared with.
     const std::string& reference() const { return reference_; }
 
@@ -49,7 +51,7 @@ private:
     void take_published_counts(const study::Protocol& protocol);
     std::optional<double> find(const std::string& test, const std::string& distance, int azimuth_deg) const;
 
-    std::string description_, reference_;
+    std::string description_, digest_, reference_;
     Behaviour behaviour_;
     std::vector<Rule> rules_;
 };

@@ -22,39 +22,16 @@ std::optional<int> whole_number(const std::string& text) {
     return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
 }
 
-Form form_of(const study::SessionSettings& session, std::size_t number) {
-    const study::Question& question = session.questions[number];
+Form choice_form(const study::SessionTexts& texts, std::string id, std::string text,
+                 std::vector<std::string> choices) {
     Form form;
-    switch (question.kind) {
-    case study::QuestionKind::integer:
-        form.kind = Form::Kind::integer;
-        break;
-    case study::QuestionKind::choice:
-        form.kind = Form::Kind::choice;
-        break;
-    case study::QuestionKind::multiple:
-        form.kind = Form::Kind::multiple;
-        break;
-    case study::QuestionKind::text:
-        form.kind = Form::Kind::text;
-        break;
-    }
-    form.id = question.id;
-    form.heading = fill_in(session.texts.question, number + 1, session.questions.size());
-    form.text = question.text;
-    form.choices = question.choices;
-    if (question.none_place() < question.values.size()) {
-        form.alone = question.none_place();
-    }
-    form.more = session.texts.more;
-    form.least = question.least;
-    form.most = question.most;
-    form.units = question.units;
-    form.optional = question.optional;
-    form.can_go_back = number > 0;
-    form.next = session.texts.next;
-    form.back = session.texts.back;
-    form.missing = session.texts.missing;
+    form.kind = Form::Kind::choice;
+    form.id = std::move(id);
+    form.text = std::move(text);
+    form.choices = std::move(choices);
+    form.next = texts.next;
+    form.missing = texts.missing;
+    form.more = texts.more;
     return form;
 }
 
@@ -117,26 +94,64 @@ std::string written(const study::Question& question, const FormAnswer& answer) {
     return cell.empty() ? "n/a" : cell;
 }
 
-bool ask_consent(const study::SessionTexts& texts, Stage& stage) {
-    if (texts.consent.empty()) {
-        return true;
-    }
+Form question_form(const study::SessionSettings& session, std::size_t number) {
+    const study::Question& question = session.questions[number];
     Form form;
-    form.kind = Form::Kind::choice;
-    form.id = "consent";
-    form.text = texts.consent;
-    form.choices = {texts.agree, texts.decline};
-    form.next = texts.next;
-    form.missing = texts.missing;
-    form.more = texts.more;
+    switch (question.kind) {
+    case study::QuestionKind::integer:
+        form.kind = Form::Kind::integer;
+        break;
+    case study::QuestionKind::choice:
+        form.kind = Form::Kind::choice;
+        break;
+    case study::QuestionKind::multiple:
+        form.kind = Form::Kind::multiple;
+        break;
+    case study::QuestionKind::text:
+        form.kind = Form::Kind::text;
+        break;
+    }
+    form.id = question.id;
+    form.heading = fill_in(session.texts.question, number + 1, session.questions.size());
+    form.text = question.text;
+    form.choices = question.choices;
+    if (question.none_place() < question.values.size()) {
+        form.alone = question.none_place();
+    }
+    form.more = session.texts.more;
+    form.least = question.least;
+    form.most = question.most;
+    form.units = question.units;
+    form.optional = question.optional;
+    form.can_go_back = number > 0;
+    form.next = session.texts.next;
+    form.back = session.texts.back;
+    form.missing = session.texts.missing;
+    return form;
+}
+
+Form consent_form(const study::SessionTexts& texts) {
+    Form form = choice_form(texts, "consent", texts.consent, {texts.agree, texts.decline});
     form.after_reading = 0; // to agree; no one has to read on to decline
-    return stage.ask(form).chosen.front() == 0;
+    return form;
+}
+
+Form trouble_form(const study::SessionTexts& texts, const std::string& message) {
+    return choice_form(texts, "trouble", texts.trouble + "\n\n" + message, {texts.try_again, texts.stop});
+}
+
+Form close_form(const study::SessionTexts& texts) {
+    return choice_form(texts, "close", texts.close, {texts.go_on, texts.stop});
+}
+
+bool ask_consent(const study::SessionTexts& texts, Stage& stage) {
+    return texts.consent.empty() || stage.ask(consent_form(texts)).chosen.front() == 0;
 }
 
 Answers ask_questions(const study::SessionSettings& session, Stage& stage) {
     std::vector<FormAnswer> given(session.questions.size());
     for (std::size_t i = 0; i < given.size();) {
-        Form form = form_of(session, i);
+        Form form = question_form(session, i);
         form.given = given[i];
         given[i] = stage.ask(form);
         i = std::exchange(given[i].back, false) ? i - 1 : i + 1;

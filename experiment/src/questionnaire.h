@@ -16,6 +16,18 @@ namespace experiment {
 /// A participant's answers as they are written, by the questions' ids, in the protocol's order.
 using Answers = std::vector<std::pair<std::string, std::string>>;
 
+/// The form that asks for consent.
+Form consent_form(const study::SessionTexts& texts);
+
+/// The form that asks one of the protocol's questions, from 0.
+Form question_form(const study::SessionSettings& session, std::size_t number);
+
+/// What is asked where something could not be saved: try again (0) or end the session (1).
+Form trouble_form(const study::SessionTexts& texts, const std::string& message);
+
+/// What is asked where the window should close: go on (0) or end the session (1).
+Form close_form(const study::SessionTexts& texts);
+
 /// Ask for consent, where the protocol has a form; whether it was given. Throws Interrupted.
 bool ask_consent(const study::SessionTexts& texts, Stage& stage);
 

@@ -11,8 +11,10 @@
 
 #include <study/protocol.h>
 #include <support/error.h>
+#include <support/file.h>
 
 #include "interruption.h"
+#include "log/events_table.h"
 #include "log/folder_lock.h"
 #include "log/frame_table.h"
 #include "log/phenotype.h"
@@ -59,6 +61,17 @@ std::optional<FolderLock> lock_participant(const SessionOptions& options) {
     return lock;
 }
 
+/// Remark on a disk that has hardly room for a study.
+void note_little_room(const fs::path& study, SessionPlan& plan) {
+    constexpr std::uintmax_t little = std::uintmax_t{16} << 20; // bytes
+    std::error_code unknown;
+    const auto space = fs::space(support::existing_part(study), unknown);
+    if (!unknown && space.available < little) {
+        plan.remarks.push_back(
+            fmt::format("{}: its disk has only {} MB left", study.string(), space.available >> 20));
+    }
+}
+
 Preparation prepare(const SessionOptions& options) {
     check_label(options.participant);
     study::Protocol protocol = study::read_protocol(options.protocol);
@@ -72,7 +85,9 @@ Preparation prepare(const SessionOptions& options) {
             lock.emplace(std::move(*held));
         }
     }
-    SessionPlan plan = make_plan(options, protocol, stimuli.manifest_digest());
+    SessionPlan plan = make_plan(
+        options, protocol, {stimuli.manifest_digest(), observer ? observer->digest() : std::string("n/a")});
+    note_little_room(options.study, plan);
     if (stimuli.protocol_digest() != protocol.digest) {
         plan.remarks.push_back(fmt::format("{}: rendered by another version of the protocol than {}",
                                            (options.stimuli / "manifest.json").string(),
@@ -145,8 +160,18 @@ struct Files {
     }
 };
 
+/// Where this fails, nothing is lost: the events are made from the log.
+void keep_events(const SessionOptions& options, const Preparation& ready, const SessionLog& log) {
+    try {
+        write_events(log, options.study, ready.stimuli);
+    } catch (const std::runtime_error& error) {
+        fmt::print(stderr, "skin2afc: note: {}\n", support::one_line(error.what()));
+    }
+}
+
 /// Run the trials and record in the sidecar how they ended.
-void run_to_the_end(const Preparation& ready, Stage& stage, const Files& files, FrameTable& frames) {
+void run_to_the_end(const SessionOptions& options, const Preparation& ready, Stage& stage, const Files& files,
+                    FrameTable& frames) {
     const study::SessionSettings& session = ready.protocol.session;
     const Schedule& schedule = ready.plan.schedule;
     Timing timing;
@@ -167,8 +192,11 @@ void run_to_the_end(const Preparation& ready, Stage& stage, const Files& files, 
     } catch (const std::runtime_error& error) {
         const std::string reason = support::one_line(error.what());
         files.sidecar.finish(files.log.answers(), reason, stage, timing);
-        throw support::Failure(files.close(reason, schedule.size()));
+        const std::string saved = files.close(reason, schedule.size());
+        keep_events(options, ready, files.log);
+        throw support::Failure(saved);
     }
+    keep_events(options, ready, files.log);
     try {
         run_end_page(session, schedule, stage);
     } catch (const Interrupted&) {
@@ -202,10 +230,13 @@ Said run_forms(const SessionOptions& options, const Preparation& ready, Stage& s
 /// Write what belongs to the study, as far as it is not there yet.
 void prepare_study(const SessionOptions& options, const Preparation& ready, const Answers& answers) {
     ready.study.prepare(ready.protocol.title, options.participant);
+    support::remove_leftovers(
+        log_path(options.study, options.participant, ready.plan.run).parent_path()); // locked
     try {
         ready.study.keep_contact_sheet(ready.stimuli.folder() / "contact_sheet.png");
+        ready.study.keep_stimuli(ready.stimuli);
     } catch (const std::runtime_error& error) {
-        // No session waits for a picture that can be copied later.
+        // No session waits for pictures that can be copied later.
         fmt::print(stderr, "skin2afc: note: {}\n", support::one_line(error.what()));
     }
     if (!answers.empty()) {
@@ -243,7 +274,7 @@ void run_on(const SessionOptions& options, const Preparation& ready, Stage& stag
     // A torn line is taken off the log when the sidecar has it.
     write_with_retries(stage, [&] { sidecar.write(); });
     write_with_retries(stage, [&] { log->settle(); });
-    run_to_the_end(ready, stage, files, frames);
+    run_to_the_end(options, ready, stage, files, frames);
     fmt::print("{}: {} of {} trials\n", log->path().string(), log->answers(), ready.plan.schedule.size());
 }
 

@@ -105,10 +105,10 @@ double clock_set_back_s(const ordered_json& sidecar, const LogContent& log) {
 
 /// Take over an interrupted run.
 void resume(SessionPlan& plan, const SessionOptions& options, const study::Protocol& protocol,
-            const std::string& manifest_digest, const fs::path& sidecar, const fs::path& log) {
+            const RunIdentity& identity, const fs::path& sidecar, const fs::path& log) {
     check_same(plan.sidecar, sidecar, "ProtocolDigest", protocol.digest, "the protocol");
-    check_same(plan.sidecar, sidecar, "StimuliManifestDigest", manifest_digest, "the stimuli");
-    check_same(plan.sidecar, sidecar, "Observer", options.observer.value_or("n/a"), "the observer");
+    check_same(plan.sidecar, sidecar, "StimuliManifestDigest", identity.manifest_digest, "the stimuli");
+    check_same(plan.sidecar, sidecar, "ObserverDigest", identity.observer_digest, "the observer");
     if (options.seed) {
         check_same(plan.sidecar, sidecar, "Seed", *options.seed, "the seed");
     }
@@ -140,7 +140,7 @@ void resume(SessionPlan& plan, const SessionOptions& options, const study::Proto
 
 /// Look at the participant's last run; whether the session goes on with it.
 bool take_last_run(SessionPlan& plan, const SessionOptions& options, const study::Protocol& protocol,
-                   const std::string& manifest_digest) {
+                   const RunIdentity& identity) {
     plan.run = last_run(options.study, options.participant);
     const fs::path log = log_path(options.study, options.participant, plan.run);
     const fs::path sidecar = fs::path(log).replace_extension(".json");
@@ -164,7 +164,7 @@ bool take_last_run(SessionPlan& plan, const SessionOptions& options, const study
         // A run that was killed between its last answer and its end is ended.
         if (plan.answered() < plan.schedule.size() || content.value("Complete", ordered_json()) == false) {
             plan.sidecar = content;
-            resume(plan, options, protocol, manifest_digest, sidecar, log);
+            resume(plan, options, protocol, identity, sidecar, log);
             return true;
         }
     } catch (const support::InputError& error) {
@@ -218,9 +218,9 @@ std::vector<Schedule> finished_by_others(const SessionOptions& options, const st
 } // namespace
 
 SessionPlan make_plan(const SessionOptions& options, const study::Protocol& protocol,
-                      const std::string& manifest_digest) {
+                      const RunIdentity& identity) {
     SessionPlan plan;
-    if (take_last_run(plan, options, protocol, manifest_digest)) {
+    if (take_last_run(plan, options, protocol, identity)) {
         return plan;
     }
     plan.run += plan.log ? 0 : 1;

@@ -33,12 +33,18 @@ struct SessionPlan {
     bool resumes() const { return !sidecar.is_null(); }
 };
 
+/// What a run must be gone on with, beside its protocol.
+struct RunIdentity {
+    std::string manifest_digest;         ///< of the stimuli
+    std::string observer_digest = "n/a"; ///< of a simulated participant
+};
+
 /// Look at what the participant's earlier runs have left, and plan. The last run is gone on with, in the
 /// order it was planned in, unless it is complete or a new one is asked for; a new one gets the seed's order,
 /// balanced over the participants who have finished unless the seed is given. Throws support::InputError for
 /// a log or sidecar that is not as the program left it, and for a protocol, stimuli, seed or observer other
 /// than the run began with.
 SessionPlan make_plan(const SessionOptions& options, const study::Protocol& protocol,
-                      const std::string& manifest_digest);
+                      const RunIdentity& identity);
 
 } // namespace experiment

@@ -114,6 +114,7 @@ StageFacts SimulatedStage::facts() const {
     StageFacts facts;
     facts.pacing = "simulated";
     facts.observer = observer_.description();
+    facts.observer_digest = observer_.digest();
     return facts;
 }
 

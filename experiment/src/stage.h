@@ -42,12 +42,14 @@ struct Press {
 struct StageFacts {
     std::string pacing;              ///< "vsync", "clock" or "simulated"
     std::string gl_renderer = "n/a"; ///< OpenGL's name for the device
+    std::string scheduling = "n/a";  ///< "real-time" or "normal": how the system runs the program
     std::optional<double> refresh_hz;
     std::optional<std::array<int, 2>> resolution_px;
-    std::optional<double> key_resolution_s;  ///< time between two looks at the keyboard
+    std::optional<double> key_resolution_s;  ///< mean time between two looks at the keyboard so far
     std::optional<double> worst_key_delay_s; ///< longest time between two looks so far
     std::optional<int> dropped_frames;       ///< so far; known only where the display's refresh paces
     std::optional<std::string> observer;     ///< of a simulated participant
+    std::optional<std::string> observer_digest;
     std::string monitor = "n/a";
     std::optional<std::array<double, 2>> screen_size_mm;
     std::optional<double> viewing_distance_mm;
@@ -61,12 +63,13 @@ struct Note {
     std::string what;  ///< for the sidecar
 };
 
-/// A picture that was put on the screen.
+/// A picture that was put on the screen, or was shown there again at a further refresh.
 struct Flip {
     std::size_t trial = 0;                         ///< from 1; 0 before the first
     std::string picture;                           ///< "page", "grey" or the stimulus's name
     double asked_s = 0, called_s = 0, onset_s = 0; ///< when it was due, when the swap began, when it was over
     int missed_frames = 0;                         ///< known only where the display's refresh paces
+    std::size_t frame = 1;                         ///< of this picture; above 1 where it was shown again
 };
 
 /// The session was ended from outside, by a closed window or a signal; what() says by which.

@@ -78,9 +78,9 @@ KeyChord read_chord(TomlTable& table) {
 /// A cell of a table holds no tab and no line break.
 void check_cell(const TomlTable& table, std::string_view key, const std::string& text) {
     const auto control = [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; };
-    if (text.empty() || text == "n/a" || std::any_of(text.begin(), text.end(), control)) {
-        throw table.error(key, fmt::format("expected a text of one line, not \"n/a\", found \"{}\"",
-                                           support::one_line(text)));
+    if (text.empty() || std::any_of(text.begin(), text.end(), control)) {
+        throw table.error(key,
+                          fmt::format("expected a text of one line, found \"{}\"", support::one_line(text)));
     }
 }
 
@@ -98,9 +98,10 @@ void read_choices(TomlTable& table, Question& question) {
     const char* key = table.has("values") ? "values" : "choices";
     for (const std::string& value : question.values) {
         check_cell(table, key, value);
-        // Several values of one answer are separated by semicolons.
-        if (question.kind == QuestionKind::multiple && value.find(';') != std::string::npos) {
-            throw table.error(key, fmt::format("expected no semicolon, found \"{}\"", value));
+        // Several values of one answer are separated by semicolons, and what is missing stands alone.
+        if (question.kind == QuestionKind::multiple &&
+            (value.find(';') != std::string::npos || value == "n/a")) {
+            throw table.error(key, fmt::format("expected no semicolon and not \"n/a\", found \"{}\"", value));
         }
     }
     check_unique(table, key, question.values);

@@ -136,6 +136,31 @@ void write_atomically(const fs::path& path, std::string_view content) {
     pending.commit();
 }
 
+void remove_leftovers(const fs::path& folder) {
+    std::error_code none;
+    std::vector<fs::path> leftovers;
+    for (const auto& entry : fs::directory_iterator(folder, none)) {
+        const std::string name = entry.path().filename().string();
+        const bool ours = name.starts_with(".probe.") ||
+                          (name.starts_with(".") && name.find(".pending") != std::string::npos);
+        if (ours && entry.is_regular_file(none)) {
+            leftovers.push_back(entry.path());
+        }
+    }
+    for (const fs::path& leftover : leftovers) {
+        fs::remove(leftover, none);
+    }
+}
+
+fs::path existing_part(const fs::path& folder) {
+    std::error_code unknown;
+    fs::path there = fs::absolute(folder);
+    while (!fs::exists(there, unknown) && there.has_relative_path()) {
+        there = there.parent_path();
+    }
+    return there;
+}
+
 void make_writable_folder(const fs::path& folder) {
     std::error_code error;
     fs::create_directories(folder, error);

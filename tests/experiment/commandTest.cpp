@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <support/file.h>
+
 #include "fixture.h"
 
 namespace {
@@ -46,11 +48,15 @@ TEST_F(SessionCommandTest, leavesAWholeStudy) {
     const auto outcome = run("01");
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
+    const std::string copies =
+        "stimuli/" + support::sha256_of_file(folder_ / "stimuli/manifest.json").substr(0, 12);
     EXPECT_EQ(fixture::files_below(folder_ / "study"),
-              (std::vector<std::string>{"dataset_description.json", "participants.json", "participants.tsv",
-                                        "stimuli/contact_sheet.png",
-                                        "sub-01/beh/sub-01_task-skin2afc_run-01_beh.json",
-                                        "sub-01/beh/sub-01_task-skin2afc_run-01_beh.tsv"}));
+              (std::vector<std::string>{
+                  "dataset_description.json", "participants.json", "participants.tsv",
+                  copies + "/no_sss_near_000.png", copies + "/ts_near_000.png", "stimuli/contact_sheet.png",
+                  "sub-01/beh/sub-01_task-skin2afc_run-01_beh.json",
+                  "sub-01/beh/sub-01_task-skin2afc_run-01_beh.tsv",
+                  "sub-01/beh/sub-01_task-skin2afc_run-01_events.tsv", "task-skin2afc_events.json"}));
     EXPECT_EQ(fixture::read_log(fixture::log_path(folder_ / "study", "01")).size(), 2U);
 }
 

@@ -35,7 +35,8 @@ protected:
         stage_.known.refresh_hz = 60;
         stage_.known.dropped_frames = 2;
         stage_.known.worst_key_delay_s = 0.004;
-        stage_.shown = {{.trial = 1, .picture = "page", .missed_frames = 2}, {.trial = 1, .picture = "grey"}};
+        stage_.shown = {{.trial = 1, .picture = "page", .missed_frames = 2}, {.trial = 1, .picture = "grey"},
+                        {.trial = 1, .picture = "grey", .frame = 2}};
         plan_.schedule = make_schedule(protocol_, 1);
     }
     Sidecar begin() const { return {folder_ / "x.json", protocol_, plan_, "digest", stage_.facts()}; }
@@ -50,7 +51,7 @@ TEST_F(SidecarTest, addsUpThePartsAndKeepsEachPartsScreen) {
     Sidecar first = begin();
     first.finish(1, "interrupted", stage_, {{0.001}, {0.002}});
     EXPECT_EQ(first.content()["Parts"][0]["Trials"][0].dump(),
-              R"({"Trial":1,"GreyError":0.001,"SaveTime":0.002,"Pictures":2,"DroppedFrames":2})");
+              R"({"Trial":1,"GreyError":0.001,"SaveTime":0.002,"Pictures":2,"Frames":3,"DroppedFrames":2})");
 
     plan_.sidecar = first.content();
     plan_.log.emplace();
@@ -85,13 +86,14 @@ TEST_F(SidecarTest, tellsOneScreenFromAnother) {
 TEST_F(SidecarTest, hasFramesOnFileBeforeTheSessionEnds) {
     FrameTable frames(folder_ / "frames.tsv", stage_, 2);
     frames.write();
-    ASSERT_EQ(fixture::read_log(folder_ / "frames.tsv").size(), 2U);
+    ASSERT_EQ(fixture::read_log(folder_ / "frames.tsv").size(), 3U);
     stage_.shown.push_back({.trial = 2, .picture = "grey"});
     frames.write();
     const auto rows = fixture::read_log(folder_ / "frames.tsv");
-    ASSERT_EQ(rows.size(), 3U);
-    EXPECT_EQ(rows[2].at("trial"), "2");
-    EXPECT_EQ(rows[2].at("part"), "2");
+    ASSERT_EQ(rows.size(), 4U);
+    EXPECT_EQ(rows[2].at("frame"), "2");
+    EXPECT_EQ(rows[3].at("trial"), "2");
+    EXPECT_EQ(rows[3].at("part"), "2");
 }
 
 TEST(NoneTest, excludesTheOtherChoicesAndIsNoMissingAnswer) {

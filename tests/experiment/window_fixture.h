@@ -26,18 +26,21 @@ inline constexpr std::array<std::uint8_t, 3> grey{128, 128, 128};     // 50 % of
 /// A session of real windows, real keys and a real screen, in the full-screen window.
 class WindowTest : public testing::Test {
 protected:
-    void start(const std::string& azimuths, double grey_s) {
+    void start(const std::string& azimuths, double grey_s, const std::vector<std::string>& more = {}) {
         protocol_ = small_protocol(folder_.path(), azimuths, grey_s);
         write_stimuli(folder_ / "stimuli", protocol_);
         schedule_ = experiment::make_schedule(protocol_, 4);
-        start_again();
+        start_again(more);
     }
     /// The same command again.
-    void start_again() {
-        program_ =
-            start_program({"session", protocol_.file.string(), "--stimuli", (folder_ / "stimuli").string(),
-                           "--study", study().string(), "--participant", "01", "--seed", "4"},
-                          folder_.path());
+    void start_again(const std::vector<std::string>& more = {}) {
+        std::vector<std::string> words{"session",       protocol_.file.string(),
+                                       "--stimuli",     (folder_ / "stimuli").string(),
+                                       "--study",       study().string(),
+                                       "--participant", "01",
+                                       "--seed",        "4"};
+        words.insert(words.end(), more.begin(), more.end());
+        program_ = start_program(words, folder_.path());
     }
     ~WindowTest() override {
         if (program_ > 0) {

@@ -77,10 +77,7 @@ std::optional<FolderLock> FolderLock::attempt(const fs::path& folder) {
 bool FolderLock::is_free(const fs::path& folder) {
     // The folder, or where it would be made.
     std::error_code unknown;
-    fs::path there = fs::absolute(folder);
-    while (!fs::exists(there, unknown) && there.has_relative_path()) {
-        there = there.parent_path();
-    }
+    const fs::path there = support::existing_part(folder);
     if (!fs::is_directory(there, unknown) || ::access(there.c_str(), W_OK | X_OK) != 0) {
         throw support::input_error("{}: expected a folder that can be written, found: {}", there.string(),
                                    fs::is_directory(there, unknown) ? std::strerror(errno)

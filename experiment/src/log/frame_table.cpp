@@ -18,7 +18,7 @@ namespace experiment {
 
 namespace {
 
-constexpr std::string_view header = "trial\tpicture\tasked\tswap_began\tonset\tmissed_frames\tpart\n";
+constexpr std::string_view header = "trial\tpicture\tasked\tswap_began\tonset\tmissed_frames\tpart\tframe\n";
 
 } // namespace
 
@@ -48,9 +48,9 @@ void FrameTable::write() {
     const double start_s = flips.empty() ? 0 : flips.front().onset_s;
     for (std::size_t i = written_; i < flips.size(); ++i) {
         const Flip& flip = flips[i];
-        text += fmt::format("{}\t{}\t{:.6f}\t{:.6f}\t{:.6f}\t{}\t{}\n", flip.trial, flip.picture,
+        text += fmt::format("{}\t{}\t{:.6f}\t{:.6f}\t{:.6f}\t{}\t{}\t{}\n", flip.trial, flip.picture,
                             flip.asked_s - start_s, flip.called_s - start_s, flip.onset_s - start_s,
-                            flip.missed_frames, part_);
+                            flip.missed_frames, part_, flip.frame);
     }
     std::ofstream stream(*file_, std::ios::app | std::ios::binary);
     stream << text << std::flush;

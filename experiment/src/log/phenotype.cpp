@@ -41,6 +41,9 @@ std::vector<std::string> cells_of(const std::string& line) {
 ordered_json description_of(const study::Question& question) {
     ordered_json entry{{"Description", question.text}};
     for (std::size_t i = 0; i < question.choices.size(); ++i) {
+        if (question.values[i] == missing) {
+            continue; // every reader of BIDS knows it
+        }
         entry["Levels"][question.values[i]] = question.choices[i];
     }
     if (question.kind == study::QuestionKind::multiple) {

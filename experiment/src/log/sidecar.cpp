@@ -59,9 +59,9 @@ ordered_json screen_of(const StageFacts& stage) {
             {"Monitor", stage.monitor},
             {"StimulusWidth", or_na(stage.stimulus_width_deg)},
             {"Pacing", stage.pacing},
+            {"Scheduling", stage.scheduling},
             {"RefreshRate", or_na(stage.refresh_hz)},
-            {"GLRenderer", stage.gl_renderer},
-            {"ResponseTimeResolution", or_na(stage.key_resolution_s)}};
+            {"GLRenderer", stage.gl_renderer}};
 }
 
 ordered_json column(const char* description) { return {{"Description", description}}; }
@@ -137,15 +137,19 @@ ordered_json trials_of(std::size_t first, const StageFacts& facts, const std::ve
                        const Timing& timing) {
     ordered_json trials = ordered_json::array();
     for (std::size_t i = 0; i < timing.grey_error_s.size(); ++i) {
-        int pictures = 0, dropped = 0;
+        int pictures = 0, frames = 0, dropped = 0;
         for (const Flip& flip : flips) {
-            pictures += flip.trial == first + i ? 1 : 0;
-            dropped += flip.trial == first + i ? flip.missed_frames : 0;
+            if (flip.trial == first + i) {
+                pictures += flip.frame == 1 ? 1 : 0;
+                ++frames;
+                dropped += flip.missed_frames;
+            }
         }
         trials.push_back({{"Trial", first + i},
                           {"GreyError", timing.grey_error_s[i]},
                           {"SaveTime", timing.save_s[i]},
                           {"Pictures", pictures},
+                          {"Frames", frames},
                           {"DroppedFrames", facts.dropped_frames ? ordered_json(dropped) : "n/a"}});
     }
     return trials;
@@ -179,13 +183,15 @@ Sidecar::Sidecar(fs::path path, const study::Protocol& protocol, const SessionPl
                     {"TrialsPlanned", plan.schedule.size()},
                     {"GreyDuration", protocol.session.grey_s},
                     {"Simulated", stage.observer.has_value()},
-                    {"Observer", or_na(stage.observer)}};
+                    {"Observer", or_na(stage.observer)},
+                    {"ObserverDigest", or_na(stage.observer_digest)}};
     }
     if (!plan.resumes()) {
         content_.update(screen_of(stage));
     }
-    content_["WorstKeyDelay"] = content_.value("WorstKeyDelay", ordered_json("n/a"));
-    content_["DroppedFrames"] = content_.value("DroppedFrames", ordered_json("n/a"));
+    for (const char* key : {"ResponseTimeResolution", "WorstKeyDelay", "DroppedFrames"}) {
+        content_[key] = content_.value(key, ordered_json("n/a"));
+    }
     content_["TrialsAnswered"] = plan.answered();
     content_["Complete"] = false;
     content_["Ending"] = still_running;
@@ -263,20 +269,25 @@ void Sidecar::finish(std::size_t answers, const std::string& ending, const Stage
     content_["Ending"] = ending;
     ordered_json& part = content_["Parts"].back();
     part["Ending"] = ending;
+    part["ResponseTimeResolution"] = or_na(facts.key_resolution_s);
     part["WorstKeyDelay"] = or_na(facts.worst_key_delay_s);
     part["DroppedFrames"] = or_na(facts.dropped_frames);
     add_spread(part, "GreyError", timing.grey_error_s);
     add_spread(part, "SaveTime", timing.save_s);
     part["Trials"] = trials_of(part["FirstTrial"].get<std::size_t>(), facts, stage.flips(), timing);
 
-    // The run's are those of all its parts.
-    double worst_s = 0;
+    // The run's are the worst of its parts, and all frames that were dropped.
+    for (const ordered_json& each : content_["Parts"]) {
+        for (const char* key : {"ResponseTimeResolution", "WorstKeyDelay"}) {
+            const ordered_json value = each.value(key, ordered_json());
+            ordered_json& worst = content_[key];
+            if (value.is_number() && (!worst.is_number() || worst < value)) {
+                worst = value;
+            }
+        }
+    }
     int dropped = 0;
     for (const ordered_json& each : content_["Parts"]) {
-        const ordered_json delay = each.value("WorstKeyDelay", ordered_json());
-        if (delay.is_number()) {
-            content_["WorstKeyDelay"] = worst_s = std::max(worst_s, delay.get<double>());
-        }
         const ordered_json frames = each.value("DroppedFrames", ordered_json());
         if (frames.is_number_integer()) {
             dropped += frames.get<int>();

@@ -11,6 +11,7 @@
 #include <support/file.h>
 #include <support/json_depth.h>
 
+#include "events_table.h"
 #include "folder_lock.h"
 #include "phenotype.h"
 
@@ -22,6 +23,8 @@ using support::input_error;
 
 constexpr std::size_t longest_label = 64;
 constexpr const char* bids_version = "1.11.0";
+constexpr const char* stimuli_folder = "stimuli";                     // BIDS has a place for them
+constexpr std::uintmax_t room_for_answers = std::uintmax_t{64} << 20; // bytes
 
 /// Whether a study folder without description holds participants' data; what a program that was killed left
 /// while it began does not count.
@@ -51,6 +54,17 @@ ordered_json description(const std::string& title, const std::string& protocol, 
             {"GeneratedBy", ordered_json::array({generator})},
             {"Protocol", protocol},
             {"Simulated", simulated}};
+}
+
+/// Of two sets of stimuli that share names, each has a folder of its own.
+std::string kept_name(const StimulusSet& stimuli) { return stimuli.manifest_digest().substr(0, 12); }
+
+/// The copy is there whole or not at all.
+void copy_in_one_step(const fs::path& from, const fs::path& to) {
+    support::make_writable_folder(to.parent_path());
+    support::PendingFile pending(to);
+    fs::copy_file(from, pending.path(), fs::copy_options::overwrite_existing);
+    pending.commit();
 }
 
 void write_if_absent(const fs::path& path, const ordered_json& content) {
@@ -116,25 +130,52 @@ void StudyFolder::check_kind() const {
 void StudyFolder::prepare(const std::string& title, const std::string& label) const {
     support::make_writable_folder(folder_);
     const FolderLock lock = FolderLock::wait(folder_);
+    for (const fs::path& folder : {folder_, folder_ / "phenotype", folder_ / stimuli_folder}) {
+        support::remove_leftovers(folder);
+    }
     check_kind();
     ParticipantTable participants(folder_ / "participants.tsv");
     write_if_absent(folder_ / "dataset_description.json", description(title, protocol_, simulated_));
     write_if_absent(folder_ / "participants.json",
                     {{"participant_id", {{"Description", "One participant, named by the experimenter"}}}});
+    if (const fs::path events = folder_ / "task-skin2afc_events.json"; !fs::exists(events)) {
+        support::write_atomically(events, events_description());
+    }
     if (participants.note("sub-" + label, {})) {
         participants.write();
     }
 }
 
 void StudyFolder::keep_contact_sheet(const fs::path& sheet) const {
-    const fs::path kept = folder_ / "stimuli" / "contact_sheet.png";
-    if (!fs::is_regular_file(sheet) || fs::exists(kept)) {
-        return;
+    const fs::path kept = folder_ / stimuli_folder / "contact_sheet.png";
+    if (fs::is_regular_file(sheet) && !fs::exists(kept)) {
+        copy_in_one_step(sheet, kept);
     }
-    support::make_writable_folder(kept.parent_path());
-    support::PendingFile pending(kept);
-    fs::copy_file(sheet, pending.path(), fs::copy_options::overwrite_existing);
-    pending.commit();
+}
+
+void StudyFolder::keep_stimuli(const StimulusSet& stimuli) const {
+    const FolderLock lock = FolderLock::wait(folder_);
+    support::remove_leftovers(folder_ / stimuli_folder / kept_name(stimuli));
+    // See what is missing, and whether it leaves the answers room.
+    std::vector<fs::path> missing;
+    std::uintmax_t bytes = 0;
+    for (const auto& [stimulus, file] : stimuli.files()) {
+        if (!fs::exists(folder_ / kept_stimulus(stimuli, stimulus))) {
+            missing.push_back(file);
+            bytes += fs::file_size(file);
+        }
+    }
+    if (fs::space(folder_).available < bytes + room_for_answers) {
+        throw support::failure("{}: has no room for a copy of the stimuli ({} MB)", folder_.string(),
+                               bytes >> 20);
+    }
+    for (const fs::path& file : missing) {
+        copy_in_one_step(file, folder_ / stimuli_folder / kept_name(stimuli) / file.filename());
+    }
+}
+
+fs::path StudyFolder::kept_stimulus(const StimulusSet& stimuli, const Stimulus& stimulus) {
+    return fs::path(stimuli_folder) / kept_name(stimuli) / stimuli.file_of(stimulus).filename();
 }
 
 StudyCopy::StudyCopy(fs::path folder) : folder_(std::move(folder)) {

@@ -7,6 +7,8 @@
 #include <map>
 #include <string>
 
+#include "../stimulus_set.h"
+
 namespace experiment {
 
 namespace fs = std::filesystem;
@@ -28,6 +30,11 @@ public:
     /// Copy the stimuli's contact sheet to stimuli/contact_sheet.png where there is one and the study has
     /// none.
     void keep_contact_sheet(const fs::path& sheet) const;
+    /// Copy the pictures to stimuli/<first 12 digits of the set's digest>/, as far as they are not there.
+    /// Throws support::Failure where the disk would be left without room for answers, and std::runtime_error.
+    void keep_stimuli(const StimulusSet& stimuli) const;
+    /// Where a picture's copy is, below the study's folder.
+    static fs::path kept_stimulus(const StimulusSet& stimuli, const Stimulus& stimulus);
 
 private:
     void check_kind() const;

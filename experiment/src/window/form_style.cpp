@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include <support/text_raster.h>
 
 #include "page.h"
@@ -50,6 +52,32 @@ FormFonts load_fonts(const std::vector<std::string>& texts, int height_px) {
                           load_font(letters, std::max(least_font_px, height_px / small_divisor))};
     atlas.Build();
     return fonts;
+}
+
+TemporaryFonts::TemporaryFonts(const std::vector<std::string>& texts, int height_px)
+    : before_(ImGui::GetCurrentContext()), own_(ImGui::CreateContext()) {
+    ImGui::SetCurrentContext(own_);
+    try {
+        fonts_ = load_fonts(texts, height_px);
+    } catch (...) {
+        ImGui::DestroyContext(own_);
+        ImGui::SetCurrentContext(before_);
+        throw;
+    }
+    ImGui::SetCurrentContext(before_);
+}
+
+TemporaryFonts::~TemporaryFonts() {
+    ImGui::DestroyContext(own_);
+    ImGui::SetCurrentContext(before_);
+}
+
+std::string choice_label(std::size_t place, const std::string& choice) {
+    return fmt::format("{}   {}", place + 1, choice);
+}
+
+std::string range_label(const Form& form) {
+    return fmt::format("{} ({} – {})", form.units, form.least, form.most);
 }
 
 void apply_style(float font_px) {

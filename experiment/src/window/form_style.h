@@ -29,6 +29,27 @@ struct FormFonts {
 /// window so many pixels high. Throws support::Failure where the font is missing.
 FormFonts load_fonts(const std::vector<std::string>& texts, int height_px);
 
+/// The same fonts without a window, to measure words with.
+class TemporaryFonts {
+public:
+    /// As load_fonts.
+    TemporaryFonts(const std::vector<std::string>& texts, int height_px);
+    ~TemporaryFonts();
+    TemporaryFonts(const TemporaryFonts&) = delete;
+    TemporaryFonts& operator=(const TemporaryFonts&) = delete;
+    const FormFonts& get() const { return fonts_; }
+
+private:
+    ImGuiContext *before_, *own_;
+    FormFonts fonts_;
+};
+
+/// A choice as its button shows it, with the digit that chooses it.
+std::string choice_label(std::size_t place, const std::string& choice);
+
+/// What is said beside a field for a whole number.
+std::string range_label(const Form& form);
+
 /// Colours and distances; `font_px` is the large font's size.
 void apply_style(float font_px);
 

@@ -16,6 +16,8 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include "../questionnaire.h"
+#include "form_layout.h"
 #include "form_style.h"
 #include "pacing.h"
 #include "page.h"
@@ -23,13 +25,10 @@
 namespace experiment {
 namespace {
 
-constexpr double frame_s = 0.01;      // between two looks at the keyboard
-constexpr float column_share = 0.72F; // of the window's width
-constexpr float top_share = 0.08F;    // of its height
-constexpr float row_em = 1.9F;        // height of a choice over the font's size
-constexpr float line_em = 1.35F;      // from line to line
-constexpr float gap_em = 0.35F;       // between choices
-constexpr float foot_em = 3.2F;       // height of the last line's room
+constexpr double frame_s = 0.01; // between two looks at the keyboard
+constexpr double held_s = 0.3;   // before a key that is held down scrolls on
+constexpr float held_lines = 15; // a second
+constexpr float tapped_lines = 2;
 constexpr int form_flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
 
@@ -85,20 +84,8 @@ FormAnswer FormView::ask(const Form& form) {
     return answer;
 }
 
-Form FormView::close_form() const {
-    Form form;
-    form.kind = Form::Kind::choice;
-    form.id = "close";
-    form.text = words_.close;
-    form.choices = {words_.go_on, words_.stop};
-    form.next = words_.next;
-    form.missing = words_.missing;
-    form.more = words_.more;
-    return form;
-}
-
 void FormView::confirm_leaving() {
-    if (show(close_form(), false).chosen.front() == 1) {
+    if (show(close_form(words_), false).chosen.front() == 1) {
         throw Interrupted("the window was closed");
     }
     window_.hide_pointer();
@@ -134,7 +121,7 @@ void FormView::confirm(const Form& form, State& state) {
     state.refused = read && !state.done;
 }
 
-/// Digits choose, Enter goes on, Page Up goes back.
+/// Digits choose, Enter goes on, Page Up goes back, arrows scroll.
 void FormView::take_keys(const Form& form, State& state) {
     // ImGui sees a key only where it is down at a frame: keep a key that was tapped between two frames down
     // for one.
@@ -156,6 +143,8 @@ void FormView::take_keys(const Form& form, State& state) {
         } else if (key == GLFW_KEY_PAGE_UP && form.can_go_back) {
             state.answer.back = true;
             state.done = true;
+        } else if (key == GLFW_KEY_DOWN || key == GLFW_KEY_UP) {
+            state.scroll_lines += key == GLFW_KEY_DOWN ? tapped_lines : -tapped_lines;
         }
     }
     keys_down[GLFW_KEY_ESCAPE] = false; // it would empty a text field
@@ -176,9 +165,11 @@ void FormView::draw(const Form& form, State& state) {
     ImGui::TextColored(dim_ink, "%s", form.heading.c_str());
     ImGui::PopFont();
     ImGui::PushFont(large_);
-    const float rest = ImGui::GetContentRegionAvail().y - answer_height(form) - foot_em * large_->FontSize;
-    draw_body(form, rest, state);
-    draw_answer(form, state);
+    ImGui::Dummy({0, large_->FontSize / 2});
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const FormLayout layout = lay_out_form(form, *large_, room.x, room.y - foot_em * large_->FontSize);
+    draw_body(form, layout, state);
+    draw_answer(form, layout, state);
     draw_foot(form, state);
     ImGui::PopFont();
     ImGui::End();
@@ -186,22 +177,22 @@ void FormView::draw(const Form& form, State& state) {
 }
 
 /// The text, as high as it is, or scrolling where there is less room.
-void FormView::draw_body(const Form& form, float height, State& state) const {
-    ImGui::Dummy({0, large_->FontSize / 2});
-    const float room = ImGui::GetContentRegionAvail().x;
-    const float lines = ImGui::CalcTextSize(form.text.c_str(), nullptr, false, room).y / large_->FontSize;
-    const float needed = (lines * line_em + 1) * large_->FontSize;
-    const bool whole = form.facts.empty() && form.warnings.empty() && needed < height;
-    ImGui::BeginChild("text", {0, whole ? needed : height}, false, ImGuiWindowFlags_NoNav);
+void FormView::draw_body(const Form& form, const FormLayout& layout, State& state) const {
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImGui::BeginChild("text", {0, layout.text}, false, ImGuiWindowFlags_NoNav);
     // A scrollbar takes its width from the lines.
-    draw_lines(form.text, whole ? room : room - ImGui::GetStyle().ScrollbarSize);
+    draw_lines(form.text, layout.whole ? width : width - ImGui::GetStyle().ScrollbarSize);
     draw_facts(form);
-    // Arrow keys scroll a text that is longer than its room.
-    const float line = ImGui::GetTextLineHeight();
-    for (const auto& [key, by] : {std::pair{GLFW_KEY_DOWN, line}, std::pair{GLFW_KEY_UP, -line}}) {
-        if (ImGui::IsKeyDown(key)) {
-            ImGui::SetScrollY(std::clamp(ImGui::GetScrollY() + by / 4, 0.0F, ImGui::GetScrollMaxY()));
+    // Arrow keys scroll a text that is longer than its room: each press a little, and on while they are held.
+    const ImGuiIO& io = ImGui::GetIO();
+    for (const auto& [key, sign] : {std::pair{GLFW_KEY_DOWN, 1.0F}, std::pair{GLFW_KEY_UP, -1.0F}}) {
+        if (io.KeysDown[key] && io.KeysDownDuration[key] > static_cast<float>(held_s)) {
+            state.scroll_lines += sign * held_lines * io.DeltaTime;
         }
+    }
+    const float scroll_px = std::exchange(state.scroll_lines, 0.0F) * line_em * large_->FontSize;
+    if (scroll_px != 0) {
+        ImGui::SetScrollY(std::clamp(ImGui::GetScrollY() + scroll_px, 0.0F, ImGui::GetScrollMaxY()));
     }
     // ImGui knows how far a text scrolls when it was drawn before; till then it knows the last form's.
     constexpr int settled_frames = 3;
@@ -239,39 +230,25 @@ void FormView::draw_facts(const Form& form) const {
     ImGui::PopTextWrapPos();
 }
 
-float FormView::answer_height(const Form& form) const {
-    const float font = large_->FontSize;
-    switch (form.kind) {
-    case Form::Kind::notice:
-        return 0;
-    case Form::Kind::choice:
-    case Form::Kind::multiple:
-        return static_cast<float>(form.choices.size()) * (row_em + gap_em) * font + font;
-    default:
-        return 3 * font;
-    }
-}
-
-void FormView::draw_answer(const Form& form, State& state) const {
+void FormView::draw_answer(const Form& form, const FormLayout& layout, State& state) const {
     if (form.kind == Form::Kind::choice || form.kind == Form::Kind::multiple) {
-        draw_choices(form, state);
+        draw_choices(form, layout, state);
     } else if (form.kind != Form::Kind::notice) {
         draw_field(form, state);
     }
 }
 
 /// One wide button a choice, with its digit; what is chosen is lit.
-void FormView::draw_choices(const Form& form, State& state) const {
-    const float font = large_->FontSize;
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, gap_em * font});
+void FormView::draw_choices(const Form& form, const FormLayout& layout, State& state) const {
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, layout.gap});
     for (std::size_t i = 0; i < form.choices.size(); ++i) {
         const auto& chosen = state.answer.chosen;
         const bool lit = std::find(chosen.begin(), chosen.end(), i) != chosen.end();
         ImGui::PushStyleColor(ImGuiCol_Button, lit ? accent : field_ground);
         ImGui::PushStyleColor(ImGuiCol_ButtonHovered, lit ? accent : hovered_ground);
         ImGui::PushStyleColor(ImGuiCol_Text, lit ? lit_ink : ink);
-        const std::string label = fmt::format("{}   {}##{}", i + 1, form.choices[i], i);
-        if (ImGui::Button(label.c_str(), {ImGui::GetContentRegionAvail().x, row_em * font})) {
+        const std::string label = fmt::format("{}##{}", choice_label(i, form.choices[i]), i);
+        if (ImGui::Button(label.c_str(), {ImGui::GetContentRegionAvail().x, layout.row})) {
             choose(form, i, state.answer);
         }
         ImGui::PopStyleColor(3);
@@ -288,8 +265,7 @@ void FormView::draw_field(const Form& form, State& state) const {
     ImGui::InputText("##field", &state.answer.text, number ? ImGuiInputTextFlags_CharsDecimal : 0);
     if (number) {
         ImGui::SameLine();
-        const std::string range = fmt::format("{} ({} – {})", form.units, form.least, form.most);
-        ImGui::TextColored(dim_ink, "%s", range.c_str());
+        ImGui::TextColored(dim_ink, "%s", range_label(form).c_str());
     }
 }
 

@@ -9,6 +9,7 @@
 #include <study/session.h>
 
 #include "../form.h"
+#include "form_layout.h"
 #include "window.h"
 
 struct ImFont;
@@ -37,18 +38,17 @@ private:
         FormAnswer answer = {};
         bool done = false, refused = false, goes_on = false, end_seen = false;
         int frames = 0;
+        float scroll_lines = 0; ///< that keys have asked for
     };
     static void confirm(const Form& form, State& state);
-    Form close_form() const;
     FormAnswer show(const Form& form, bool asks_to_close);
     void draw(const Form& form, State& state);
-    void draw_body(const Form& form, float height, State& state) const;
+    void draw_body(const Form& form, const FormLayout& layout, State& state) const;
     void draw_facts(const Form& form) const;
-    void draw_answer(const Form& form, State& state) const;
-    void draw_choices(const Form& form, State& state) const;
+    void draw_answer(const Form& form, const FormLayout& layout, State& state) const;
+    void draw_choices(const Form& form, const FormLayout& layout, State& state) const;
     void draw_field(const Form& form, State& state) const;
     void draw_foot(const Form& form, State& state) const;
-    float answer_height(const Form& form) const;
     void take_keys(const Form& form, State& state);
     void render() const;
 

@@ -11,6 +11,8 @@
 #include <support/text_raster.h>
 
 #include "../procedure.h"
+#include "../questionnaire.h"
+#include "form_layout.h"
 #include "page.h"
 
 namespace experiment {
@@ -23,6 +25,23 @@ void check_letters(const std::string& text, const std::string& field) {
             "Korean need the Debian package fonts-droid-fallback",
             field, letter);
     }
+}
+
+/// Refuse forms that do not fit: those before the trials, and those that come unasked.
+void check_forms(const study::Protocol& protocol, const std::array<int, 2>& size) {
+    const auto& session = protocol.session;
+    const TemporaryFonts fonts(form_texts(protocol), size[1]);
+    const auto check = [&](const Form& form, const std::string& field) {
+        check_form(form, fonts.get(), size, fmt::format("{}: session.{}", protocol.file.string(), field));
+    };
+    if (!session.texts.consent.empty()) {
+        check(consent_form(session.texts), "texts.consent");
+    }
+    for (std::size_t i = 0; i < session.questions.size(); ++i) {
+        check(question_form(session, i), fmt::format("questions[{}]", i));
+    }
+    check(trouble_form(session.texts, ""), "texts.trouble");
+    check(close_form(session.texts), "texts.close");
 }
 
 } // namespace
@@ -56,10 +75,12 @@ void check_texts(const study::Protocol& protocol, std::size_t trials, const std:
     for (std::size_t i = 0; i < protocol.session.questions.size(); ++i) {
         const study::Question& question = protocol.session.questions[i];
         check_letters(question.text, field(fmt::format("questions[{}].text", i)));
+        check_letters(question.units, field(fmt::format("questions[{}].units", i)));
         for (const std::string& choice : question.choices) {
             check_letters(choice, field(fmt::format("questions[{}].choices", i)));
         }
     }
+    check_forms(protocol, size);
 }
 
 std::vector<std::string> form_texts(const study::Protocol& protocol) {

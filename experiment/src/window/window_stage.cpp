@@ -4,6 +4,7 @@
 #include "window_stage.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,7 @@
 
 #include <renderer/gl/context.h>
 
+#include "../questionnaire.h"
 #include "texts.h"
 
 namespace experiment {
@@ -18,15 +20,15 @@ namespace {
 
 constexpr int dropped_swaps = 10; // the first ones, while drivers and compositors settle
 constexpr int measured_frames = 10;
-constexpr double poll_s = 0.5e-3;         // pause between two looks at the keyboard
-constexpr double key_resolution_s = 1e-3; // pause, the look itself and a late waking
-constexpr double quiet_s = 5e-3;          // before a deadline, no more looks
+constexpr int most_measurements = 5;
+constexpr double poll_s = 0.5e-3; // pause between two looks at the keyboard
+constexpr double quiet_s = 5e-3;  // before a deadline, no more looks
 constexpr std::size_t rehearsed_swaps = 5;
 constexpr double rehearsal_s = 0.2; // before a deadline
 constexpr double rehearsal_pause_s = 0.015;
 constexpr double least_rehearsed_s = 0.25; // shorter pictures leave no time for it
 
-constexpr std::size_t flips_reserved = 10000; // so that none waits for memory
+constexpr std::size_t flips_reserved = 100000; // so that none waits for memory
 
 std::string name_of(const Picture& picture) {
     if (const auto* stimulus = std::get_if<Stimulus>(&picture)) {
@@ -57,6 +59,8 @@ WindowStage::WindowStage(const study::Protocol& protocol, const ScreenOptions& o
       pictures_(load(window_)), least_size_{protocol.image.width, protocol.image.height} {
     flips_.reserve(flips_reserved);
     describe_screen(window_.monitor(), protocol, options, screen_);
+    // From here on, time counts; loading was done by threads that may wait.
+    screen_.scheduling = take_real_time_priority() ? "real-time" : "normal";
     measure_refresh();
     if (!refresh_.vsync) {
         screen_.warnings.push_back(
@@ -67,7 +71,17 @@ WindowStage::WindowStage(const study::Protocol& protocol, const ScreenOptions& o
     renderer::gl::check_errors("opening the session's window");
 }
 
+/// Measure the refresh, anew where other programs disturbed it. A monitor that reports no rate has none.
 void WindowStage::measure_refresh() {
+    for (int attempt = 0; attempt < most_measurements && !refresh_.vsync; ++attempt) {
+        refresh_ = judge_refresh(time_swaps(), window_.reported_hz());
+        if (window_.reported_hz() == 0) {
+            return;
+        }
+    }
+}
+
+std::vector<double> WindowStage::time_swaps() {
     std::vector<double> times_s;
     for (int i = 0; i < dropped_swaps + measured_frames + 1; ++i) {
         window_.poll();
@@ -78,7 +92,7 @@ void WindowStage::measure_refresh() {
             times_s.push_back(monotonic_s());
         }
     }
-    refresh_ = judge_refresh(times_s, window_.reported_hz());
+    return times_s;
 }
 
 /// Look at keyboard and window once. What takes the screen from the trial disturbs it.
@@ -118,11 +132,9 @@ void WindowStage::wait_until_polling(double deadline_s) {
 }
 
 double WindowStage::show_after(double duration_s, const Picture& picture) {
-    Flip flip = refresh_.vsync ? show_by_refresh(duration_s, picture) : show_by_clock(duration_s, picture);
-    flip.trial = trial_;
-    flip.picture = name_of(picture);
-    flips_.push_back(flip);
-    dropped_frames_ += flip.missed_frames;
+    const Flip flip =
+        refresh_.vsync ? show_by_refresh(duration_s, picture) : show_by_clock(duration_s, picture);
+    note_flip(flip, picture);
     onset_s_ = flip.onset_s;
     current_ = picture;
     window_.take_damage(); // all is drawn anew
@@ -130,26 +142,54 @@ double WindowStage::show_after(double duration_s, const Picture& picture) {
     return onset_s_;
 }
 
-Flip WindowStage::show_by_refresh(double duration_s, const Picture& picture) {
-    // Have the picture ready in the back buffer before its time.
-    pictures_.draw(picture, window_.framebuffer_size());
+/// Swap the buffers and wait for the refresh that shows what was drawn; `since_s` is the refresh before.
+Flip WindowStage::swap_at_refresh(double since_s) {
     Flip flip;
-    flip.asked_s = monotonic_s();
-    double since_s = flip.asked_s;
-    int frames = 1;
-    if (duration_s > 0) {
-        // Ask for the swap half a period before the refresh that ends the last frame.
-        since_s = onset_s_;
-        frames = whole_frames(duration_s, refresh_.hz);
-        flip.asked_s = since_s + frames / refresh_.hz;
-        wait_until_polling(since_s + (frames - 0.5) / refresh_.hz);
-    }
+    flip.asked_s = since_s + 1 / refresh_.hz;
     flip.called_s = monotonic_s();
     window_.swap();
     window_.wait_for_back_buffer();
     flip.onset_s = monotonic_s();
-    flip.missed_frames = missed_frames(flip.onset_s - since_s, frames, refresh_.hz);
+    flip.missed_frames = missed_frames(flip.onset_s - since_s, 1, refresh_.hz);
     return flip;
+}
+
+/// Show what is shown again at each refresh until one is left of so many frames, so that they are counted
+/// and a dropped one is noticed; the time of the last refresh.
+double WindowStage::hold(int frames) {
+    double last_s = onset_s_;
+    for (int shown = 1; shown < frames;) {
+        look();
+        pictures_.draw(current_, window_.framebuffer_size());
+        Flip flip = swap_at_refresh(last_s);
+        shown += std::max(1, static_cast<int>(std::lround((flip.onset_s - last_s) * refresh_.hz)));
+        flip.frame = static_cast<std::size_t>(shown);
+        note_flip(flip, current_);
+        last_s = flip.onset_s;
+    }
+    return last_s;
+}
+
+Flip WindowStage::show_by_refresh(double duration_s, const Picture& picture) {
+    if (duration_s > 0) {
+        const double last_s = hold(whole_frames(duration_s, refresh_.hz));
+        pictures_.draw(picture, window_.framebuffer_size());
+        return swap_at_refresh(last_s);
+    }
+    // What comes at no given time misses no refresh.
+    pictures_.draw(picture, window_.framebuffer_size());
+    const double now_s = monotonic_s();
+    Flip flip = swap_at_refresh(now_s);
+    flip.asked_s = now_s;
+    flip.missed_frames = 0;
+    return flip;
+}
+
+void WindowStage::note_flip(Flip flip, const Picture& picture) {
+    flip.trial = trial_;
+    flip.picture = name_of(picture);
+    dropped_frames_ += flip.missed_frames;
+    flips_.push_back(std::move(flip));
 }
 
 Flip WindowStage::show_by_clock(double duration_s, const Picture& picture) {
@@ -202,7 +242,10 @@ Press WindowStage::wait_for(std::initializer_list<Key> keys) {
     while (true) {
         look();
         const double now_s = monotonic_s();
-        worst_key_delay_s_ = std::max(worst_key_delay_s_, now_s - std::exchange(last_look_s, now_s));
+        const double pause_s = now_s - std::exchange(last_look_s, now_s);
+        worst_key_delay_s_ = std::max(worst_key_delay_s_, pause_s);
+        looked_s_ += pause_s;
+        ++looks_;
         if (const auto press = window_.pressed(keys)) {
             count_early_answers();
             window_.clear_presses();
@@ -219,15 +262,7 @@ Press WindowStage::wait_for(std::initializer_list<Key> keys) {
 FormAnswer WindowStage::ask(const Form& form) { return forms_.ask(form); }
 
 bool WindowStage::tell_trouble(const std::string& message) {
-    Form form;
-    form.kind = Form::Kind::choice;
-    form.id = "trouble";
-    form.text = texts_.trouble + "\n\n" + message;
-    form.choices = {texts_.try_again, texts_.stop};
-    form.next = texts_.next;
-    form.missing = texts_.missing;
-    form.more = texts_.more;
-    return forms_.ask(form).chosen.front() == 0;
+    return forms_.ask(trouble_form(texts_, message)).chosen.front() == 0;
 }
 
 StageFacts WindowStage::facts() const {
@@ -235,8 +270,10 @@ StageFacts WindowStage::facts() const {
     facts.pacing = refresh_.vsync ? "vsync" : "clock";
     facts.gl_renderer = renderer::gl::driver_info().renderer;
     facts.resolution_px = window_.framebuffer_size();
-    facts.key_resolution_s = key_resolution_s;
-    facts.worst_key_delay_s = worst_key_delay_s_;
+    if (looks_ > 0) {
+        facts.key_resolution_s = looked_s_ / static_cast<double>(looks_);
+        facts.worst_key_delay_s = worst_key_delay_s_;
+    }
     if (refresh_.vsync) {
         facts.refresh_hz = refresh_.hz;
         facts.dropped_frames = dropped_frames_;

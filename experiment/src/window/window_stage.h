@@ -50,11 +50,15 @@ private:
     using Load = std::function<PictureStore(Window&)>;
     WindowStage(const study::Protocol& protocol, const ScreenOptions& options, const Load& load);
     void measure_refresh();
+    std::vector<double> time_swaps();
     void look();
     void wait_out_change();
     void count_early_answers();
     void wait_until_polling(double deadline_s);
     void rehearse(double until_s);
+    Flip swap_at_refresh(double since_s);
+    double hold(int frames);
+    void note_flip(Flip flip, const Picture& picture);
     Flip show_by_refresh(double duration_s, const Picture& picture);
     Flip show_by_clock(double duration_s, const Picture& picture);
 
@@ -70,7 +74,9 @@ private:
     std::size_t trial_ = 0;
     bool trial_started_ = false; // its second picture is still to come
     double swap_duration_s_ = 0; // where the clock paces
-    double onset_s_ = 0, worst_key_delay_s_ = 0;
+    double onset_s_ = 0;
+    double worst_key_delay_s_ = 0, looked_s_ = 0; // between looks at the keyboard: the longest, all
+    std::size_t looks_ = 0;
     int dropped_frames_ = 0, early_answers_ = 0;
 };
 

@@ -43,6 +43,13 @@ private:
 /// Failure.
 void write_atomically(const fs::path& path, std::string_view content);
 
+/// Remove what PendingFile and make_writable_folder left in a folder when a program was killed. No other
+/// program may be writing there. Throws nothing; what cannot be removed stays.
+void remove_leftovers(const fs::path& folder);
+
+/// The folder itself or, where it is not there, the nearest one above it that is.
+fs::path existing_part(const fs::path& folder);
+
 /// Make the folder, with its parents, and prove that it can be written into. Throws InputError.
 void make_writable_folder(const fs::path& folder);
 

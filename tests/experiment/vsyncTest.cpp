@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The skin2afc authors
+// SPDX-License-Identifier: MIT
+
+#include <cmath>
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+#include "window_fixture.h"
+
+namespace {
+
+using fixture::VirtualScreen;
+
+constexpr double hz = 60, grey_s = 0.5;
+constexpr int grey_frames = 30;
+
+/// A session before a display of 60 Hz, of which a library stands in for the refresh: see
+/// refreshing_display.cpp.
+class VsyncTest : public fixture::WindowTest {
+protected:
+    VsyncTest() { ::setenv("SKIN2AFC_TEST_HZ", "60", 1); }
+    ~VsyncTest() override {
+        ::unsetenv("LD_PRELOAD");
+        ::unsetenv("SKIN2AFC_TEST_HZ");
+        ::unsetenv("SKIN2AFC_TEST_DROPS");
+    }
+    /// Run a session that is found to be paced by the refresh; a busy machine may take more than one.
+    void run_session() {
+        for (int attempt = 0; attempt < 4 && facts_.value("Pacing", "") != "vsync"; ++attempt) {
+            std::filesystem::remove_all(study());
+            std::filesystem::remove(frames_file());
+            run_once();
+            if (HasFatalFailure()) {
+                return;
+            }
+        }
+        ASSERT_EQ(facts_["Pacing"], "vsync") << facts_.dump(1);
+        frames_ = fixture::read_log(frames_file());
+    }
+    void run_once() {
+        ::setenv("LD_PRELOAD", SKIN2AFC_REFRESHING_DISPLAY, 1);
+        start("[0]", grey_s, {"--frames", frames_file().string()});
+        ::unsetenv("LD_PRELOAD"); // for the session alone
+        leave_instructions();
+        for (std::size_t trial = 0; trial < 2; ++trial) {
+            run_trial(trial, "1");
+        }
+        ASSERT_TRUE(screen_.becomes(1, 1, fixture::page_ground));
+        std::this_thread::sleep_for(std::chrono::milliseconds(500));
+        VirtualScreen::key("space");
+        const auto outcome = finish();
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        facts_ = nlohmann::json::parse(fixture::read(sidecar()));
+    }
+    std::filesystem::path frames_file() const { return folder_ / "frames.tsv"; }
+
+    /// The frames of a trial's grey, and the onset of the picture after it.
+    struct Grey {
+        std::vector<fixture::Row> frames;
+        double end_s = 0;
+        double onset_s() const { return std::stod(frames.front().at("onset")); }
+        /// How many refreshes it lasted.
+        double refreshes() const { return (end_s - onset_s()) * hz; }
+    };
+    Grey grey_of(const std::string& trial) const {
+        Grey grey;
+        for (const auto& row : frames_) {
+            if (row.at("trial") == trial && row.at("picture") == "grey") {
+                grey.frames.push_back(row);
+            } else if (!grey.frames.empty() && grey.end_s == 0) {
+                grey.end_s = std::stod(row.at("onset"));
+            }
+        }
+        return grey;
+    }
+
+    nlohmann::json facts_ = nlohmann::json::object();
+    std::vector<fixture::Row> frames_;
+};
+
+TEST_F(VsyncTest, showsTheGreyForAWholeNumberOfFramesAndLogsEach) {
+    run_session();
+    ASSERT_FALSE(HasFatalFailure());
+    EXPECT_NEAR(facts_["RefreshRate"].get<double>(), hz, 1); // the rate of its swaps over ten intervals
+    for (const char* trial : {"1", "2"}) {
+        const Grey grey = grey_of(trial);
+        ASSERT_EQ(grey.frames.size(), static_cast<std::size_t>(grey_frames)) << trial;
+        // A whole number; a quarter of a period is 4 ms, in which a busy machine copies a picture to the
+        // screen.
+        EXPECT_NEAR(grey.refreshes(), grey_frames, 0.25) << trial;
+        for (std::size_t i = 0; i < grey.frames.size(); ++i) {
+            EXPECT_EQ(grey.frames[i].at("frame"), std::to_string(i + 1));
+            EXPECT_EQ(grey.frames[i].at("missed_frames"), "0");
+        }
+    }
+    EXPECT_EQ(facts_["DroppedFrames"], 0);
+    const auto& first = facts_["Parts"][0]["Trials"][0];
+    EXPECT_EQ(first["Pictures"], 4); // number, first, grey, second
+    EXPECT_EQ(first["Frames"], 4 + grey_frames - 1);
+}
+
+TEST_F(VsyncTest, countsDroppedFramesAndEndsTheGreyInTime) {
+    ::setenv("SKIN2AFC_TEST_DROPS", "23", 1); // not among the swaps that measure the refresh, 12 to 22
+    run_session();
+    ASSERT_FALSE(HasFatalFailure());
+    int dropped = 0;
+    for (const char* trial : {"1", "2"}) {
+        const Grey grey = grey_of(trial);
+        int missed = 0;
+        for (const auto& row : grey.frames) {
+            missed += std::stoi(row.at("missed_frames"));
+        }
+        EXPECT_EQ(grey.frames.size() + static_cast<std::size_t>(missed),
+                  static_cast<std::size_t>(grey_frames));
+        EXPECT_GE(missed, 1) << trial;
+        // Only a drop at the very last refresh makes it longer.
+        EXPECT_NEAR(grey.refreshes(), grey_frames, 1.1) << trial;
+        dropped += missed;
+    }
+    EXPECT_GE(facts_["DroppedFrames"], dropped);
+    EXPECT_GE(facts_["Parts"][0]["Trials"][0]["DroppedFrames"], 1);
+}
+
+} // namespace
