@@ -95,6 +95,49 @@ TEST_F(FaultTest, saysThatTheSidecarFindsNoRoomAndGoesOn) {
     ::umount2(study().c_str(), MNT_DETACH);
 }
 
+TEST_F(FaultTest, showsATrialAgainWhenTheMonitorWasUnplugged) {
+    // A library stands in for the cable, see refreshing_display.cpp.
+    const fs::path cable = folder_ / "cable";
+    fixture::write(cable, "");
+    ::setenv("LD_PRELOAD", SKIN2AFC_REFRESHING_DISPLAY, 1);
+    ::setenv("SKIN2AFC_TEST_CABLE", cable.c_str(), 1);
+    start("[0]", 0.1);
+    ::unsetenv("LD_PRELOAD");
+    ::unsetenv("SKIN2AFC_TEST_CABLE");
+    leave_instructions();
+    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    VirtualScreen::key("space");
+    expect_picture(picture(0, true));
+    fs::remove(cable);
+    ASSERT_TRUE(screen_.becomes(1, 1, page_ground)); // the trial's number again
+    fixture::write(cable, "");
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    run_trial(0, "2");
+    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
+    ::kill(program_, SIGTERM);
+    finish();
+    const std::string events = nlohmann::json::parse(fixture::read(sidecar()))["Events"].dump();
+    EXPECT_NE(events.find("a monitor was unplugged"), std::string::npos) << events;
+    EXPECT_NE(events.find("a monitor was plugged in"), std::string::npos) << events;
+    EXPECT_NE(events.find("the screen changed; the trial was shown again"), std::string::npos) << events;
+    EXPECT_EQ(fixture::read_log(log()).size(), 1U);
+}
+
+TEST_F(FaultTest, takesTheDigitsRowOfAnAzertyKeyboard) {
+    ASSERT_EQ(std::system("setxkbmap fr"), 0);
+    start("[0]", 0.1);
+    leave_instructions();
+    run_trial(0, "eacute"); // where others have 2
+    run_trial(1, "ampersand");
+    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
+    ASSERT_EQ(fixture::read_log(log()).size(), 2U);
+    EXPECT_EQ(fixture::read_log(log())[0].at("response"), "2");
+    EXPECT_EQ(fixture::read_log(log())[1].at("response"), "1");
+    VirtualScreen::key("ctrl+shift+q"); // the letter's own key, where others have A
+    finish();
+}
+
 TEST_F(FaultTest, endsByTheExperimentersKeysOnACyrillicKeyboard) {
     ASSERT_EQ(std::system("setxkbmap ru"), 0);
     start("[0]", 0.1);

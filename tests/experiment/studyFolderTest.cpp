@@ -144,6 +144,28 @@ TEST(StudyFolderTest, refusesADescriptionThatItCannotRead) {
     }
 }
 
+TEST(StudyCopyTest, bringsBackTheStudysOwnFilesAndLeavesOthers) {
+    const fixture::TemporaryFolder folder;
+    const StudyFolder study(folder / "study", true, "paper");
+    study.prepare("Title", "01");
+    fixture::write(folder / "study/phenotype/questionnaire.tsv", "participant_id\tart\nsub-01\tnone\n");
+    const auto files = fixture::files_below(folder / "study");
+    std::vector<std::string> contents;
+    for (const std::string& file : files) {
+        contents.push_back(fixture::read(folder / "study" / file));
+    }
+    const experiment::StudyCopy copy(folder / "study");
+    std::filesystem::remove_all(folder / "study");
+    fixture::write(folder / "study/participants.tsv", "participant_id\nsub-02\n"); // another's, meanwhile
+    copy.restore();
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        const std::string now = fixture::read(folder / "study" / files[i]);
+        EXPECT_EQ(now, files[i] == "participants.tsv" ? "participant_id\nsub-02\n" : contents[i]) << files[i];
+    }
+    // It still says that its participants are simulated.
+    EXPECT_THROW(StudyFolder(folder / "study", false, "paper"), support::InputError);
+}
+
 TEST(StudyFolderTest, keepsTheFirstContactSheet) {
     const fixture::TemporaryFolder folder;
     const StudyFolder study(folder / "study", false, "paper");

@@ -264,6 +264,22 @@ TEST_F(WholeSessionTest, takesNoConsentToATextThatWasNotSeenToItsEnd) {
     EXPECT_TRUE(fixture::files_below(study()).empty());
 }
 
+TEST_F(WholeSessionTest, scrollsByEachQuickPress) {
+    write_long_consent();
+    start();
+    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
+    settle("start");
+    key("Return");
+    settle("consent");
+    // Two lines a press; the text has some forty below the screen's end.
+    VirtualScreen::act({"key", "--repeat", "30", "--delay", "1", "Down"});
+    settle("consent_end");
+    key("1");
+    settle("consent_chosen");
+    key("Return");
+    settle("age");
+}
+
 TEST_F(WholeSessionTest, endsPolitelyWithoutConsent) {
     start();
     ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
@@ -275,6 +291,9 @@ TEST_F(WholeSessionTest, endsPolitelyWithoutConsent) {
     key("Return");
     settle("declined");
     ASSERT_FALSE(HasFailure());
+    // Another window's size is no reason to end another way.
+    VirtualScreen::act({"search", "--name", "^skin2afc$", "windowsize", "1700", "1000"});
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
     key("space");
     const auto outcome = finish();
     EXPECT_EQ(outcome.exit_code, 1);

@@ -22,6 +22,7 @@ using nlohmann::ordered_json;
 using support::input_error;
 
 constexpr std::size_t longest_label = 64;
+constexpr const char* events_file = "task-skin2afc_events.json";
 constexpr const char* bids_version = "1.11.0";
 constexpr const char* stimuli_folder = "stimuli";                     // BIDS has a place for them
 constexpr std::uintmax_t room_for_answers = std::uintmax_t{64} << 20; // bytes
@@ -138,7 +139,7 @@ void StudyFolder::prepare(const std::string& title, const std::string& label) co
     write_if_absent(folder_ / "dataset_description.json", description(title, protocol_, simulated_));
     write_if_absent(folder_ / "participants.json",
                     {{"participant_id", {{"Description", "One participant, named by the experimenter"}}}});
-    if (const fs::path events = folder_ / "task-skin2afc_events.json"; !fs::exists(events)) {
+    if (const fs::path events = folder_ / events_file; !fs::exists(events)) {
         support::write_atomically(events, events_description());
     }
     if (participants.note("sub-" + label, {})) {
@@ -179,7 +180,7 @@ fs::path StudyFolder::kept_stimulus(const StimulusSet& stimuli, const Stimulus& 
 }
 
 StudyCopy::StudyCopy(fs::path folder) : folder_(std::move(folder)) {
-    for (const char* name : {"dataset_description.json", "participants.tsv", "participants.json",
+    for (const char* name : {"dataset_description.json", "participants.tsv", "participants.json", events_file,
                              "phenotype/questionnaire.tsv", "phenotype/questionnaire.json"}) {
         if (fs::exists(folder_ / name)) {
             contents_[folder_ / name] = support::read_text(folder_ / name);

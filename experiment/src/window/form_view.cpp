@@ -56,6 +56,7 @@ FormView::FormView(Window& window, const std::vector<std::string>& texts, const 
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr; // writes no file of its own
     ImGui_ImplGlfw_InitForOpenGL(window_.handle(), true);
+    window_.listen_to_monitors(); // ImGui passes all other events on, but not these
     ImGui_ImplOpenGL3_Init("#version 450 core");
     try {
         const FormFonts fonts = load_fonts(texts, window_.framebuffer_size()[1]);

@@ -99,6 +99,10 @@ void Window::listen() {
         of(window).notes_.push_back({monotonic_s(), focused == GLFW_TRUE ? "the window has the keyboard again"
                                                                          : "the window lost the keyboard"});
     });
+    listen_to_monitors();
+}
+
+void Window::listen_to_monitors() {
     monitored = this;
     glfwSetMonitorCallback([](GLFWmonitor*, int event) {
         monitored->changed_ = true;

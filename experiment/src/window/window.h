@@ -37,6 +37,8 @@ public:
     /// The monitor's own word on its refresh rate, 0 where it does not know.
     int reported_hz() const;
     void hide_pointer() const;
+    /// Notice monitors that come and go; anew after another library has taken GLFW's only callback for it.
+    void listen_to_monitors();
 
     /// Swap the buffers, and wait until the display server has done what it was asked to.
     void swap();
