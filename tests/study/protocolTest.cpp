@@ -239,7 +239,9 @@ TEST_F(ProtocolTest, refusesQuestionsThatCannotBeAskedOrWritten) {
     expect(question("id = \"a\"\nkind = \"choice\"\nchoices = [\"x\", \"y\"]\nvalues = [\"x\"]"),
            "values: expected one a choice, 2, found 1");
     expect(question("id = \"a\"\nkind = \"choice\"\nchoices = [\"x\", \"x\"]"), "each value once");
-    expect(question("id = \"a\"\nkind = \"choice\"\nchoices = [\"x\", \"n/a\"]"), "not \"n/a\"");
+    // What is not to be known is missing: one answer of several, not one among several.
+    expect(question("id = \"a\"\nkind = \"multiple\"\nchoices = [\"x\", \"n/a\"]"), "not \"n/a\"");
+    EXPECT_EQ(question("id = \"a\"\nkind = \"choice\"\nchoices = [\"x\", \"n/a\"]"), "no error");
     expect(question("id = \"a\"\nkind = \"multiple\"\nchoices = [\"x;y\", \"z\"]"), "expected no semicolon");
     expect(question("id = \"a\"\nkind = \"integer\"\nleast = 3\nmost = 2"), "most: expected");
     for (const char* leave : {"q", "shift+q", "ctrl+", "ctrl+qq", "ctrl+q+x", "super+q", ""}) {
