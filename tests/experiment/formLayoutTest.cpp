@@ -73,6 +73,21 @@ TEST(FormLayoutTest, keepsItsDistancesWhereThereIsRoom) {
               experiment::lay_out_form(experiment::question_form(three.session, 0), font, 1188, 700).row);
 }
 
+TEST(FormLayoutTest, leavesChoicesBelowALongTextTheirDistances) {
+    const TemporaryFolder folder;
+    const auto two = protocol_with(folder, choices(2, "choice "));
+    auto form = experiment::question_form(two.session, 0);
+    const experiment::TemporaryFonts fonts(experiment::form_texts(two), screen[1]);
+    const auto plain = experiment::lay_out_form(form, *fonts.get().large, 1188, 700);
+    for (int i = 0; i < 100; ++i) {
+        form.text += "\nWhat have you practised for more than a year?";
+    }
+    const auto scrolling = experiment::lay_out_form(form, *fonts.get().large, 1188, 700);
+    EXPECT_FALSE(scrolling.whole);
+    EXPECT_EQ(scrolling.row, plain.row);
+    EXPECT_LT(scrolling.text + 2 * (scrolling.row + scrolling.gap), 700);
+}
+
 TEST(FormLayoutTest, refusesWordsThatDoNotFitOnTheirLine) {
     const TemporaryFolder folder;
     const auto protocol = protocol_with(folder, choices(2, std::string(120, 'w')));

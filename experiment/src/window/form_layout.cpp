@@ -40,8 +40,13 @@ FormLayout lay_out_form(const Form& form, const ImFont& large, float width, floa
     float scale = 1;
     const float needed = text_height(form, large, width);
     if (has_choices) {
+        // A text that scrolls even above the closest choices leaves them their distances, if it keeps some
+        // lines.
         const float rows = static_cast<float>(form.choices.size()) * (row_em + gap_em) * em;
-        scale = std::clamp((height - needed - em) / rows, closest, 1.0F);
+        const float room = height - em;
+        const bool scrolls = room - closest * rows < needed;
+        const float wanted = scrolls ? least_lines * line_em * em : needed;
+        scale = std::clamp((room - wanted) / rows, closest, 1.0F);
         answer = scale * rows + em;
     }
     FormLayout layout;
@@ -49,9 +54,8 @@ FormLayout lay_out_form(const Form& form, const ImFont& large, float width, floa
     layout.gap = scale * gap_em * em;
     layout.text = height - answer;
     layout.whole = form.facts.empty() && form.warnings.empty() && needed < layout.text + 1; // rounding
-    if (layout.whole) {
-        layout.text = needed;
-    }
+    // Letters that scroll stay off the choices; a text that is whole has room of its own below it.
+    layout.text = layout.whole ? needed : layout.text - em / 2;
     return layout;
 }
 
