@@ -57,6 +57,10 @@ int main(int argc, char** argv) {
     } catch (const CLI::Success& request) { // --help, --version
         return app.exit(request);
     } catch (const CLI::ParseError& error) {
+        if (app.get_subcommands().empty() && argc > 1 && argv[1][0] != '-') {
+            return fail(exit_bad_input,
+                        fmt::format("expected a command, found \"{}\" (see --help)", argv[1]));
+        }
         return fail(exit_bad_input, fmt::format("{} (see --help)", error.what()));
     } catch (const support::InputError& error) {
         return fail(exit_bad_input, error.what());

@@ -7,6 +7,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <support/number_range.h>
+
 #include "session.h"
 #include "timing_test.h"
 
@@ -43,15 +45,18 @@ OBSERVERS for --simulate
 
 FILES WRITTEN
   STUDY/dataset_description.json, participants.tsv, participants.json          once a study, a row once a participant
-  STUDY/stimuli/contact_sheet.png                                              copied from the stimuli, once
+  STUDY/stimuli/contact_sheet.png, DIGITS/*.png                                copied from the stimuli, once a set
+  STUDY/task-skin2afc_events.json                                              what the columns of events mean
   STUDY/sub-LABEL/beh/sub-LABEL_task-skin2afc_run-NN_beh.tsv                   the log, one row an answered trial
   STUDY/sub-LABEL/beh/sub-LABEL_task-skin2afc_run-NN_beh.json                  its sidecar: seed, digests, timing
+  STUDY/sub-LABEL/beh/sub-LABEL_task-skin2afc_run-NN_events.tsv                the pictures one by one, with their files
   STUDY/phenotype/questionnaire.tsv, questionnaire.json                        answers beside age, sex and handedness
   No file of a run is overwritten by another run.
 
 EXIT STATUS
   0  all trials were answered
-  1  the session ended early, there was no consent, or it could not start for want of a display, a font or disk space
+  1  the session ended early, there was no consent, it could not start for want of a display, a font or disk space, or
+     the timing test found times that are not acceptable
   2  bad usage or bad input; nothing was written
 
 EXAMPLE
@@ -81,13 +86,13 @@ void add_screen_options(CLI::App& session, ScreenOptions& screen) {
     session
         .add_option("--distance-cm", screen.distance_cm,
                     "From the eyes to the screen; default: the protocol's [display]")
-        ->check(CLI::Range(1.0, 1e5))
+        ->check(support::number_range(1.0, 1e5))
         ->type_name("CM");
     session
         .add_option(
             "--screen-width-mm", screen.screen_width_mm,
             "Width of the whole screen; default: the protocol's [display], else what the monitor says")
-        ->check(CLI::Range(1.0, 1e6))
+        ->check(support::number_range(1.0, 1e6))
         ->type_name("MM");
 }
 
@@ -141,11 +146,16 @@ void add_command(CLI::App& app) {
                          "print how exact their times are; needs nothing else")
             ->expected(0, 1)
             ->default_str("60")
-            ->check(CLI::Range(1.0, 86400.0))
+            ->check(support::number_range(1.0, 86400.0))
             ->type_name("SECONDS");
     session->footer(footer);
     session->callback([options, timing, timing_s, session] {
         if (*timing) {
+            for (const char* name : {"--simulate", "--stimuli", "--study", "--participant", "--frames"}) {
+                if (session->count(name) > 0) {
+                    throw CLI::ExcludesError("--timing-test", name);
+                }
+            }
             return run_timing_test(*options, timing->as<double>());
         }
         for (const char* name : {"PROTOCOL", "--stimuli", "--study", "--participant"}) {

@@ -119,7 +119,7 @@ private:
         if (const int early = stage_.take_early_answers(); early > 0) {
             told_early_ = true;
             events_.push_back({press.time_s - start_s_, at,
-                               fmt::format("{} answers before the second picture were ignored", early)});
+                               fmt::format("answers before the second picture, ignored: {}", early)});
         }
         return {.trial = trial,
                 .response = press.key == Key::one ? 1 : 2,

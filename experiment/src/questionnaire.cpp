@@ -127,6 +127,7 @@ Form question_form(const study::SessionSettings& session, std::size_t number) {
     form.next = session.texts.next;
     form.back = session.texts.back;
     form.missing = session.texts.missing;
+    form.wrong = session.texts.wrong;
     return form;
 }
 

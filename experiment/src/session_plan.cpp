@@ -4,6 +4,7 @@
 #include "session_plan.h"
 
 #include <algorithm>
+#include <fstream>
 #include <sstream>
 
 #include <support/error.h>
@@ -50,14 +51,20 @@ Schedule read_order(const ordered_json& sidecar, const study::Protocol& protocol
     return schedule;
 }
 
+/// A value for a message: of digests and other long texts the beginning.
+std::string shortened(const ordered_json& value) {
+    constexpr std::size_t shown = 12;
+    const std::string text = support::one_line(value.is_string() ? value.get<std::string>() : value.dump());
+    return text.size() > shown ? text.substr(0, shown) + "..." : text;
+}
+
 /// Refuse to go on with a run under other conditions than it began with.
 void check_same(const ordered_json& sidecar, const fs::path& file, const char* key, const ordered_json& now,
                 std::string_view what) {
     const ordered_json before = sidecar.value(key, ordered_json());
     if (before != now) {
         throw input_error("{}: {}: expected {} that the run began with, {}, found {}{}", file.string(), key,
-                          what, support::one_line(before.dump()).substr(0, 24), now.dump().substr(0, 24),
-                          way_out);
+                          what, shortened(before), shortened(now), way_out);
     }
 }
 
@@ -194,6 +201,27 @@ Schedule finished_run(const fs::path& study, const std::string& label, const stu
     return {};
 }
 
+/// Remark on runs of the study under another version of the protocol, which an analysis would not mix.
+void note_other_versions(const fs::path& study, const study::Protocol& protocol, SessionPlan& plan) {
+    int others = 0;
+    std::error_code none;
+    for (const auto& entry : fs::recursive_directory_iterator(study, none)) {
+        if (!entry.path().filename().string().ends_with("_beh.json")) {
+            continue;
+        }
+        const auto content = nlohmann::json::parse(std::ifstream(entry.path()), nullptr, false);
+        const auto digest =
+            content.is_object() ? content.value("ProtocolDigest", nlohmann::json()) : nlohmann::json();
+        others += digest.is_string() && digest != protocol.digest ? 1 : 0;
+    }
+    if (others > 0) {
+        plan.remarks.push_back(
+            fmt::format("runs of this study under another version of the protocol: {}; the "
+                        "analysis refuses to mix them unless it is told to",
+                        others));
+    }
+}
+
 std::vector<Schedule> finished_by_others(const SessionOptions& options, const study::Protocol& protocol,
                                          std::vector<std::string>& remarks) {
     std::vector<Schedule> finished;
@@ -220,6 +248,7 @@ std::vector<Schedule> finished_by_others(const SessionOptions& options, const st
 SessionPlan make_plan(const SessionOptions& options, const study::Protocol& protocol,
                       const RunIdentity& identity) {
     SessionPlan plan;
+    note_other_versions(options.study, protocol, plan);
     if (take_last_run(plan, options, protocol, identity)) {
         return plan;
     }

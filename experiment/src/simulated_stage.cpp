@@ -85,7 +85,7 @@ FormAnswer SimulatedStage::ask(const Form& form) {
     case Form::Kind::multiple:
         for (std::size_t i = 0; i < form.choices.size(); ++i) {
             if (generator.below(2) == 1) {
-                answer.chosen.push_back(i);
+                experiment::choose(form, i, answer);
             }
         }
         if (answer.chosen.empty() && !form.optional) {

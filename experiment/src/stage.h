@@ -40,7 +40,7 @@ struct Press {
 
 /// What a stage knows of itself, for the sidecar; absent where it has no such thing.
 struct StageFacts {
-    std::string pacing;              ///< "vsync", "clock" or "simulated"
+    std::string pacing = "n/a";      ///< "vsync", "clock" or "simulated"
     std::string gl_renderer = "n/a"; ///< OpenGL's name for the device
     std::string scheduling = "n/a";  ///< "real-time" or "normal": how the system runs the program
     std::optional<double> refresh_hz;

@@ -18,6 +18,14 @@ std::string refresh_text(const StageFacts& stage) {
     return stage.pacing == "clock" ? "none that could be measured; the clock paces" : "n/a";
 }
 
+std::string orders_text(const SessionOptions& options, const SessionPlan& plan) {
+    if (plan.resumes()) {
+        return "as the run began";
+    }
+    return options.seed ? "as the seed has them"
+                        : fmt::format("balanced, finished participants: {}", plan.finished_participants);
+}
+
 std::string angle_text(const StageFacts& stage) {
     if (!stage.stimulus_width_deg) {
         return "unknown: give --screen-width-mm and --distance-cm";
@@ -34,23 +42,21 @@ Form start_page(const SessionOptions& options, const study::Protocol& protocol, 
     form.id = "start";
     form.heading = protocol.title;
     form.text = fmt::format("Participant {}, run {:02d}", options.participant, plan.run);
-    form.facts = {
-        {"Trials",
-         plan.resumes()
-             ? fmt::format("goes on at trial {} of {}", plan.answered() + 1, plan.schedule.size())
-             : fmt::format("{}, {} for practice before", plan.schedule.size(), protocol.session.practice)},
-        {"Seed", fmt::format("{}", plan.seed)},
-        {"Orders", options.seed || plan.resumes()
-                       ? std::string("as the seed has them")
-                       : fmt::format("balanced over {} finished participants", plan.finished_participants)},
-        {"Stimuli",
-         fmt::format("{} pictures of {} x {}, unchanged (manifest {})", stimuli.files().size(),
-                     protocol.image.width, protocol.image.height, stimuli.manifest_digest().substr(0, 12))},
-        {"Study", fs::absolute(options.study).lexically_normal().string()},
-        {"Monitor", stage.monitor},
-        {"Refresh", refresh_text(stage)},
-        {"Stimulus", angle_text(stage)},
-        {"To end a session", text_of(protocol.session.leave)}};
+    form.facts = {{"Trials", plan.resumes() ? fmt::format("goes on at trial {} of {}{}", plan.answered() + 1,
+                                                          plan.schedule.size(),
+                                                          plan.answered() > 0 ? ", without practice" : "")
+                                            : fmt::format("{}, {} for practice before", plan.schedule.size(),
+                                                          protocol.session.practice)},
+                  {"Seed", fmt::format("{}", plan.seed)},
+                  {"Orders", orders_text(options, plan)},
+                  {"Stimuli", fmt::format("{} pictures of {} x {}, unchanged (manifest {})",
+                                          stimuli.files().size(), protocol.image.width, protocol.image.height,
+                                          stimuli.manifest_digest().substr(0, 12))},
+                  {"Study", fs::absolute(options.study).lexically_normal().string()},
+                  {"Monitor", stage.monitor},
+                  {"Refresh", refresh_text(stage)},
+                  {"Stimulus", angle_text(stage)},
+                  {"To end a session", text_of(protocol.session.leave)}};
     form.warnings = plan.remarks;
     for (const std::string& change : screen_changes(plan.sidecar, stage)) {
         form.warnings.push_back("another screen than before: " + change);

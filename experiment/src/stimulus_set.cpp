@@ -127,6 +127,11 @@ private:
 };
 
 void check_digest(const fs::path& file, const std::string& expected) {
+    if (!fs::exists(file)) {
+        throw input_error(
+            "{}: expected the picture of the manifest, found no such file; render the stimuli again",
+            file.string());
+    }
     const std::string digest = support::sha256_of_file(file);
     if (digest != expected) {
         throw input_error("{}: expected the picture of the manifest (SHA-256 {}...), found another ({}...); "

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <regex>
 #include <sstream>
 
 #include "checks.h"
@@ -47,9 +48,10 @@ void read_comparison(TomlTable& table, const std::vector<std::string>& shaders, 
 KeyChord read_chord(TomlTable& table) {
     const std::string text = table.text("leave", "ctrl+shift+q");
     const auto wrong = [&] {
-        return table.error("leave", fmt::format("expected ctrl, shift or alt and a letter or digit, as in "
-                                                "\"ctrl+shift+q\", found \"{}\"",
-                                                support::one_line(text)));
+        return table.error("leave",
+                           fmt::format("expected ctrl or alt, with or without shift, and a letter or "
+                                       "digit, as in \"ctrl+shift+q\", found \"{}\"",
+                                       support::one_line(text)));
     };
     KeyChord chord;
     std::istringstream parts(text);
@@ -147,40 +149,55 @@ std::vector<Question> read_questions(TomlTable& table) {
     return questions;
 }
 
+/// What stands in braces is filled in, so that a misspelt name would be shown as it is.
+void check_placeholders(const TomlTable& table, std::string_view key, const std::string& text) {
+    static const std::regex braces("\\{([A-Za-z_]+)\\}");
+    for (std::sregex_iterator found(text.begin(), text.end(), braces), end; found != end; ++found) {
+        if ((*found)[1] != "trial" && (*found)[1] != "trials") {
+            throw table.error(
+                key, fmt::format("expected {{trial}} or {{trials}} in braces, found \"{}\"", found->str()));
+        }
+    }
+}
+
 SessionTexts read_texts(TomlTable table) {
     SessionTexts texts;
-    texts.consent = table.text("consent", "");
-    texts.agree = table.text("agree", "I agree and want to take part");
-    texts.decline = table.text("decline", "I do not want to take part");
-    texts.declined = table.text("declined", "Thank you for your time. Nothing was saved.\n\n"
-                                            "Please tell the experimenter.\n\nPress space to finish.");
-    texts.instructions = table.text("instructions", "You will see {trials} pairs of images, one image after "
-                                                    "the other.\nChoose the one that looks most realistic."
-                                                    "\n\nPress space to begin.");
-    texts.practice =
-        table.text("practice", "Practice {trial} of {trials}\n\nPress space for the first image.");
-    texts.practice_end = table.text("practice_end", "That was the practice.\n\nPress space to go on.");
-    texts.trial = table.text("trial", "Trial {trial} of {trials}\n\nPress space for the first image.");
-    texts.early =
-        table.text("early", "You pressed a key before the second image was shown. It did not count.\n"
-                            "Please press 1 or 2 while you see the second image.");
-    texts.pause = table.text("pause", "{trial} of {trials} are done. Take a break if you like.\n\n"
-                                      "Press space to go on.");
-    texts.end = table.text("end", "That was the last trial. Thank you.\n\nPress space to finish.");
-    texts.next = table.text("next", "Enter: next");
-    texts.back = table.text("back", "Page Up: back");
-    texts.question = table.text("question", "Question {trial} of {trials}");
-    texts.missing = table.text("missing", "Please answer this question.");
-    texts.more = table.text("more", "There is more to read: the arrow keys move the text.");
-    texts.trouble = table.text("trouble", "Please call the experimenter.\n\n"
-                                          "The last answer is kept in memory until it is saved.");
-    texts.try_again = table.text("try_again", "Try again");
-    texts.stop = table.text("stop", "End the session");
-    texts.close = table.text("close", "Someone asked to close this window.\n\nEnd the session? What was "
-                                      "answered so far is saved, and the session can be gone on with.");
-    texts.go_on = table.text("go_on", "Go on with the session");
-    texts.screen = table.text("screen", "The screen has become too small for the images.\n\nPlease call the "
-                                        "experimenter. The session goes on when the screen is as it was.");
+    const auto text = [&](std::string_view key, const std::string& fallback) {
+        const std::string found = table.text(key, fallback);
+        check_placeholders(table, key, found);
+        return found;
+    };
+    texts.consent = text("consent", "");
+    texts.agree = text("agree", "I agree and want to take part");
+    texts.decline = text("decline", "I do not want to take part");
+    texts.declined = text("declined", "Thank you for your time. Nothing was saved.\n\n"
+                                      "Please tell the experimenter.\n\nPress space to finish.");
+    texts.instructions = text("instructions", "You will see {trials} pairs of images, one image after "
+                                              "the other.\nChoose the one that looks most realistic."
+                                              "\n\nPress space to begin.");
+    texts.practice = text("practice", "Practice {trial} of {trials}\n\nPress space for the first image.");
+    texts.practice_end = text("practice_end", "That was the practice.\n\nPress space to go on.");
+    texts.trial = text("trial", "Trial {trial} of {trials}\n\nPress space for the first image.");
+    texts.early = text("early", "You pressed a key before the second image was shown. It did not count.\n"
+                                "Please press 1 or 2 while you see the second image.");
+    texts.pause = text("pause", "{trial} of {trials} are done. Take a break if you like.\n\n"
+                                "Press space to go on.");
+    texts.end = text("end", "That was the last trial. Thank you.\n\nPress space to finish.");
+    texts.next = text("next", "Enter: next");
+    texts.back = text("back", "Page Up: back");
+    texts.question = text("question", "Question {trial} of {trials}");
+    texts.missing = text("missing", "Please answer this question.");
+    texts.wrong = text("wrong", "Please type a whole number in the range beside the field.");
+    texts.more = text("more", "There is more to read: the arrow keys move the text.");
+    texts.trouble = text("trouble", "Please call the experimenter.\n\n"
+                                    "The last answer is kept in memory until it is saved.");
+    texts.try_again = text("try_again", "Try again");
+    texts.stop = text("stop", "End the session");
+    texts.close = text("close", "Someone asked to close this window.\n\nEnd the session? What was "
+                                "answered so far is saved, and the session can be gone on with.");
+    texts.go_on = text("go_on", "Go on with the session");
+    texts.screen = text("screen", "The screen has become too small for the images.\n\nPlease call the "
+                                  "experimenter. The session goes on when the screen is as it was.");
     return texts;
 }
 

@@ -134,6 +134,14 @@ std::vector<std::string> font_files() {
     return files;
 }
 
+std::u32string code_points(std::string_view text) {
+    std::u32string codes;
+    while (!text.empty()) {
+        codes += take_code_point(text);
+    }
+    return codes;
+}
+
 std::string letter_without_font(std::string_view text) {
     while (!text.empty()) {
         const std::string_view before = text;

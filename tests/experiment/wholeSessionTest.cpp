@@ -229,7 +229,7 @@ TEST_F(WholeSessionTest, leadsAParticipantFromTheConsentToTheEnd) {
     EXPECT_EQ(sidecar()["Complete"], true);
     EXPECT_NE(sidecar()["Consent"], "n/a");
     EXPECT_LE(sidecar()["Consent"].get<std::string>(), agreed);
-    EXPECT_NE(sidecar()["Events"].dump().find("answers before the second picture were ignored"),
+    EXPECT_NE(sidecar()["Events"].dump().find("answers before the second picture, ignored: 1"),
               std::string::npos);
     // Every picture's times: three a trial, practice included.
     const auto frames = fixture::read_log(folder_ / "frames.tsv");

@@ -47,7 +47,7 @@ ordered_json description_of(const study::Question& question) {
         entry["Levels"][question.values[i]] = question.choices[i];
     }
     if (question.kind == study::QuestionKind::multiple) {
-        entry["Description"] = question.text + " (several may apply, separated by semicolons)";
+        entry["Delimiter"] = ";"; // several may apply
     }
     const std::string units = question.id == "age" ? "year" : question.units;
     if (!units.empty()) {

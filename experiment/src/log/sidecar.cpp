@@ -88,7 +88,7 @@ ordered_json columns() {
                           {"Units", "degree"}};
     all["first"] = column("Shader shown first");
     all["second"] = column("Shader shown second");
-    all["response"] = levels("Key pressed: which picture looked more like real skin",
+    all["response"] = levels("Key pressed: which picture was chosen",
                              {{"1", "the first picture"}, {"2", "the second picture"}});
     all["chosen"] = column("Shader chosen");
     all["response_time"] = seconds("From the onset of the second picture to the key press");
@@ -171,20 +171,21 @@ Sidecar::Sidecar(fs::path path, const study::Protocol& protocol, const SessionPl
                  const std::string& manifest_digest, const StageFacts& stage)
     : path_(std::move(path)), content_(plan.sidecar), now_s_(system_clock_s()) {
     if (!plan.resumes()) {
-        content_ = {{"TaskName", "skin2afc"},
-                    {"TaskDescription",
-                     "Two-alternative forced choice: of two pictures of a face shown one after the "
-                     "other, which looks most like real human skin"},
-                    {"Instructions", fill_in(protocol.session.texts.instructions, 0, plan.schedule.size())},
-                    {"Protocol", protocol.name},
-                    {"ProtocolDigest", protocol.digest},
-                    {"StimuliManifestDigest", manifest_digest},
-                    {"Seed", plan.seed},
-                    {"TrialsPlanned", plan.schedule.size()},
-                    {"GreyDuration", protocol.session.grey_s},
-                    {"Simulated", stage.observer.has_value()},
-                    {"Observer", or_na(stage.observer)},
-                    {"ObserverDigest", or_na(stage.observer_digest)}};
+        content_ = {
+            {"TaskName", "skin2afc"},
+            {"TaskDescription",
+             "Two-alternative forced choice between two pictures of rendered skin, shown one after the "
+             "other; the instructions say what was asked"},
+            {"Instructions", fill_in(protocol.session.texts.instructions, 0, plan.schedule.size())},
+            {"Protocol", protocol.name},
+            {"ProtocolDigest", protocol.digest},
+            {"StimuliManifestDigest", manifest_digest},
+            {"Seed", plan.seed},
+            {"TrialsPlanned", plan.schedule.size()},
+            {"GreyDuration", protocol.session.grey_s},
+            {"Simulated", stage.observer.has_value()},
+            {"Observer", or_na(stage.observer)},
+            {"ObserverDigest", or_na(stage.observer_digest)}};
     }
     if (!plan.resumes()) {
         content_.update(screen_of(stage));

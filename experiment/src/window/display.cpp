@@ -119,7 +119,8 @@ void describe_screen(GLFWmonitor* monitor, const study::Protocol& protocol, cons
     facts.monitor = fmt::format("{} ({}), {} x {} pixels, reports {} Hz", options.monitor,
                                 glfwGetMonitorName(monitor), mode->width, mode->height, mode->refreshRate);
     measure_screen(monitor, *mode, protocol, options, facts);
-    if (mode->width != protocol.image.width || mode->height != protocol.image.height) {
+    const bool fills = mode->width == protocol.image.width && mode->height == protocol.image.height;
+    if (!fills && !options.windowed) {
         facts.warnings.push_back(
             fmt::format("the monitor has {}x{} pixels, the pictures {}x{}: black will be "
                         "around them",

@@ -41,7 +41,7 @@ FormFonts load_fonts(const std::vector<std::string>& texts, int height_px) {
     letters.clear();
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     ImFontGlyphRangesBuilder builder;
-    constexpr ImWchar latin_extended[] = {0x100, 0x24f, 0x370, 0x3ff, 0x2010, 0x203a, 0};
+    constexpr ImWchar latin_extended[] = {0x100, 0x24f, 0x370, 0x3ff, 0x2010, 0x203a, 0x20a0, 0x20bf, 0};
     builder.AddRanges(atlas.GetGlyphRangesCyrillic()); // and Basic Latin
     builder.AddRanges(latin_extended);
     for (const std::string& text : texts) {
@@ -99,7 +99,7 @@ void apply_style(float font_px) {
     style.Colors[ImGuiCol_FrameBg] = field_ground;
     style.Colors[ImGuiCol_TextSelectedBg] = accent;
     style.Colors[ImGuiCol_ScrollbarBg] = {ground, ground, ground, 1};
-    style.Colors[ImGuiCol_ScrollbarGrab] = field_ground;
+    style.Colors[ImGuiCol_ScrollbarGrab] = dim_ink;
 }
 
 } // namespace experiment

@@ -4,6 +4,7 @@
 #include "form_view.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <utility>
 
@@ -28,7 +29,7 @@ namespace {
 constexpr double frame_s = 0.01; // between two looks at the keyboard
 constexpr double held_s = 0.3;   // before a key that is held down scrolls on
 constexpr float held_lines = 15; // a second
-constexpr float tapped_lines = 2;
+constexpr float tapped_lines = 2, page_lines = 8;
 constexpr int form_flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
 
@@ -48,6 +49,22 @@ void draw_lines(const std::string& text, float width) {
     ImGui::PopStyleVar();
 }
 
+/// How many lines a press of a key scrolls.
+float scrolled_by(int key) {
+    switch (key) {
+    case GLFW_KEY_DOWN:
+        return tapped_lines;
+    case GLFW_KEY_UP:
+        return -tapped_lines;
+    case GLFW_KEY_PAGE_DOWN:
+        return page_lines;
+    case GLFW_KEY_PAGE_UP:
+        return -page_lines;
+    default:
+        return 0;
+    }
+}
+
 } // namespace
 
 FormView::FormView(Window& window, const std::vector<std::string>& texts, const study::SessionTexts& words)
@@ -55,6 +72,7 @@ FormView::FormView(Window& window, const std::vector<std::string>& texts, const 
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr; // writes no file of its own
+    ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
     ImGui_ImplGlfw_InitForOpenGL(window_.handle(), true);
     window_.listen_to_monitors(); // ImGui passes all other events on, but not these
     ImGui_ImplOpenGL3_Init("#version 450 core");
@@ -96,6 +114,8 @@ void FormView::confirm_leaving() {
 FormAnswer FormView::show(const Form& form, bool asks_to_close) {
     State state{.answer = form.given};
     ImGui::GetIO().ClearInputCharacters();
+    window_.hide_pointer();
+    state.pointer = pointer();
     while (!state.done) {
         const double start_s = monotonic_s();
         window_.poll();
@@ -110,6 +130,23 @@ FormAnswer FormView::show(const Form& form, bool asks_to_close) {
         sleep_until(start_s + frame_s);
     }
     return state.answer;
+}
+
+std::array<double, 2> FormView::pointer() const {
+    std::array<double, 2> at{};
+    glfwGetCursorPos(window_.handle(), &at[0], &at[1]);
+    return at;
+}
+
+/// A pointer that lies where it was left points at nothing: it lights no choice until it is moved.
+void FormView::heed_pointer(State& state) const {
+    if (!state.pointer_moved && pointer() != state.pointer) {
+        state.pointer_moved = true;
+        glfwSetInputMode(window_.handle(), GLFW_CURSOR, GLFW_CURSOR_NORMAL);
+    }
+    if (!state.pointer_moved) {
+        ImGui::GetIO().MousePos = {-FLT_MAX, -FLT_MAX};
+    }
 }
 
 /// Take the answer if it will do and what it answers was on the screen.
@@ -144,8 +181,8 @@ void FormView::take_keys(const Form& form, State& state) {
         } else if (key == GLFW_KEY_PAGE_UP && form.can_go_back) {
             state.answer.back = true;
             state.done = true;
-        } else if (key == GLFW_KEY_DOWN || key == GLFW_KEY_UP) {
-            state.scroll_lines += key == GLFW_KEY_DOWN ? tapped_lines : -tapped_lines;
+        } else {
+            state.scroll_lines += scrolled_by(key);
         }
     }
     keys_down[GLFW_KEY_ESCAPE] = false; // it would empty a text field
@@ -154,6 +191,7 @@ void FormView::take_keys(const Form& form, State& state) {
 void FormView::draw(const Form& form, State& state) {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    heed_pointer(state);
     ImGui::NewFrame();
     const auto size = window_.framebuffer_size();
     width_ = static_cast<float>(size[0]);
@@ -242,6 +280,7 @@ void FormView::draw_answer(const Form& form, const FormLayout& layout, State& st
 /// One wide button a choice, with its digit; what is chosen is lit.
 void FormView::draw_choices(const Form& form, const FormLayout& layout, State& state) const {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, layout.gap});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, 0});
     for (std::size_t i = 0; i < form.choices.size(); ++i) {
         const auto& chosen = state.answer.chosen;
         const bool lit = std::find(chosen.begin(), chosen.end(), i) != chosen.end();
@@ -254,7 +293,7 @@ void FormView::draw_choices(const Form& form, const FormLayout& layout, State& s
         }
         ImGui::PopStyleColor(3);
     }
-    ImGui::PopStyleVar();
+    ImGui::PopStyleVar(2);
 }
 
 void FormView::draw_field(const Form& form, State& state) const {
@@ -274,7 +313,8 @@ void FormView::draw_field(const Form& form, State& state) const {
 void FormView::draw_foot(const Form& form, State& state) const {
     const float font = large_->FontSize;
     ImGui::SetCursorPosY(ImGui::GetWindowHeight() - foot_em * font);
-    const std::string& said = state.refused ? form.missing : form.more;
+    const bool out_of_range = form.kind == Form::Kind::integer && !state.answer.text.empty();
+    const std::string& said = !state.refused ? form.more : out_of_range ? form.wrong : form.missing;
     ImGui::TextColored(warning_ink, "%s", state.refused || state.goes_on ? said.c_str() : "");
     ImGui::PushFont(small_);
     const auto width_of = [&](const std::string& label) {

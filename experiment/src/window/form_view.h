@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,8 @@ private:
         bool done = false, refused = false, goes_on = false, end_seen = false;
         int frames = 0;
         float scroll_lines = 0; ///< that keys have asked for
+        bool pointer_moved = false;
+        std::array<double, 2> pointer{}; ///< where it was when the form came
     };
     static void confirm(const Form& form, State& state);
     FormAnswer show(const Form& form, bool asks_to_close);
@@ -49,6 +52,8 @@ private:
     void draw_choices(const Form& form, const FormLayout& layout, State& state) const;
     void draw_field(const Form& form, State& state) const;
     void draw_foot(const Form& form, State& state) const;
+    std::array<double, 2> pointer() const;
+    void heed_pointer(State& state) const;
     void take_keys(const Form& form, State& state);
     void render() const;
 

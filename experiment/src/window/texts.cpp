@@ -3,6 +3,7 @@
 
 #include "texts.h"
 
+#include <cstdint>
 #include <utility>
 
 #include <fmt/format.h>
@@ -18,11 +19,26 @@
 namespace experiment {
 namespace {
 
+/// Scripts that are written from right to left or whose letters change with their neighbours, by the blocks
+/// of Unicode: Hebrew and Arabic to Myanmar, Khmer and Mongolian, presentation forms.
+bool needs_shaping(char32_t code) {
+    const auto within = [&](char32_t first, char32_t last) { return code >= first && code <= last; };
+    return within(0x590, 0x109f) || within(0x1780, 0x18af) || within(0xfb1d, 0xfdff) ||
+           within(0xfe70, 0xfeff);
+}
+
 void check_letters(const std::string& text, const std::string& field) {
+    for (const char32_t code : support::code_points(text)) {
+        if (needs_shaping(code)) {
+            throw support::input_error("{}: expected a script that is written from left to right in single "
+                                       "letters, found a letter U+{:04X} of another",
+                                       field, static_cast<std::uint32_t>(code));
+        }
+    }
     if (const std::string letter = support::letter_without_font(text); !letter.empty()) {
         throw support::input_error(
-            "{}: expected letters that the fonts have, found \"{}\"; Chinese, Japanese and "
-            "Korean need the Debian package fonts-droid-fallback",
+            "{}: expected letters that the fonts have, found \"{}\" (for Chinese, Japanese and "
+            "Korean install the Debian package fonts-droid-fallback)",
             field, letter);
     }
 }
@@ -66,7 +82,7 @@ void check_texts(const study::Protocol& protocol, std::size_t trials, const std:
          {std::pair{"consent", texts.consent}, std::pair{"agree", texts.agree},
           std::pair{"decline", texts.decline}, std::pair{"next", texts.next}, std::pair{"back", texts.back},
           std::pair{"question", texts.question}, std::pair{"missing", texts.missing},
-          std::pair{"more", texts.more}, std::pair{"trouble", texts.trouble},
+          std::pair{"wrong", texts.wrong}, std::pair{"more", texts.more}, std::pair{"trouble", texts.trouble},
           std::pair{"try_again", texts.try_again}, std::pair{"stop", texts.stop},
           std::pair{"close", texts.close}, std::pair{"go_on", texts.go_on},
           std::pair{"screen", texts.screen}}) {
@@ -85,9 +101,10 @@ void check_texts(const study::Protocol& protocol, std::size_t trials, const std:
 
 std::vector<std::string> form_texts(const study::Protocol& protocol) {
     const study::SessionTexts& texts = protocol.session.texts;
-    std::vector<std::string> all{protocol.title,  texts.consent,  texts.agree,   texts.decline, texts.next,
-                                 texts.back,      texts.question, texts.missing, texts.more,    texts.trouble,
-                                 texts.try_again, texts.stop,     texts.close,   texts.go_on,   texts.screen};
+    std::vector<std::string> all{protocol.title, texts.consent, texts.agree,    texts.decline,
+                                 texts.next,     texts.back,    texts.question, texts.missing,
+                                 texts.wrong,    texts.more,    texts.trouble,  texts.try_again,
+                                 texts.stop,     texts.close,   texts.go_on,    texts.screen};
     for (const study::Question& question : protocol.session.questions) {
         all.push_back(question.text + question.units);
         all.insert(all.end(), question.choices.begin(), question.choices.end());

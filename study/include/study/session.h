@@ -43,7 +43,7 @@ std::string text_of(const KeyChord& chord);
 struct SessionTexts {
     std::string consent, agree, decline, declined;
     std::string instructions, practice, practice_end, trial, early, pause, end;
-    std::string next, back, question, missing, more;
+    std::string next, back, question, missing, wrong, more;
     std::string trouble, try_again, stop, close, go_on,
         screen; ///< what happens unasked, and what can be done
 };

@@ -21,6 +21,9 @@ struct TextRaster {
 /// lacks, such as those of Chinese, Japanese and Korean. Throws Failure without the first.
 std::vector<std::string> font_files();
 
+/// The letters of a UTF-8 text, by their Unicode numbers; U+FFFD for each byte that is not UTF-8.
+std::u32string code_points(std::string_view text);
+
 /// The first letter of a UTF-8 text that none of the fonts has, as text; empty where there is none. Line
 /// breaks are no letters.
 std::string letter_without_font(std::string_view text);
