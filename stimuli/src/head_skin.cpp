@@ -25,20 +25,20 @@ struct Patch {
     float blood, melanin;
 };
 
-constexpr float blood_everywhere = 0.017F;
+constexpr float blood_everywhere = 0.019F;
 constexpr std::array<Patch, 17> patches{{
-    {{0, -40, 110}, {13, 11, 18}, 0.055F, 0.05F},  // tip of the nose
+    {{0, -37, 110}, {13, 12, 18}, 0.055F, 0.05F},  // tip of the nose
     {{13, -44, 95}, {7, 9, 12}, 0.055F, 0.10F},    // its wings
     {{0, -12, 98}, {7, 16, 20}, -0.004F, 0.05F},   // its bridge
-    {{44, -36, 72}, {19, 17, 30}, 0.042F, -0.10F}, // cheeks
-    {{60, -52, 46}, {17, 20, 26}, 0.018F, 0.0F},   // their sides
+    {{46, -34, 72}, {19, 19, 30}, 0.050F, -0.15F}, // cheeks
+    {{60, -56, 46}, {17, 22, 26}, 0.026F, 0.0F},   // their sides
     {{30, -17, 82}, {18, 6, 20}, 0.004F, 0.22F},   // below the eyes
     {{31, 0, 82}, {18, 9, 18}, 0.022F, 0.26F},     // lids and sockets
     {{16, -3, 78}, {6, 9, 14}, 0.024F, 0.40F},     // inner corners
     {{31, -6, 84}, {16, 3, 14}, 0.025F, 0.10F},    // the lids' edges
-    {{0, -104, 88}, {17, 12, 20}, 0.026F, 0.05F},  // chin
-    {{0, -58, 98}, {22, 7, 20}, 0.006F, 0.10F},    // above the lip
-    {{24, 52, 86}, {34, 22, 40}, -0.002F, 0.06F},  // forehead
+    {{0, -104, 88}, {16, 10, 20}, 0.030F, 0.0F},  // chin
+    {{22, -64, 90}, {11, 16, 20}, -0.009F, 0.08F},    // above the lip
+    {{24, 46, 86}, {26, 15, 40}, 0.010F, 0.0F},  // forehead
     {{6, 22, 98}, {12, 12, 20}, 0.016F, 0.0F},     // between the brows
     {{66, 22, 40}, {14, 20, 26}, -0.008F, -0.05F}, // temples
     {{90, -17, -30}, {22, 40, 22}, 0.060F, 0.0F},  // ears
@@ -88,16 +88,19 @@ public:
         const float parting = smooth_step(mouth_half_width + 1.5F, mouth_half_width - 4, p.x) *
                               bell(p.y - lip_line_y(p.x), 0.7F) * smooth_step(50, 60, p.z);
         const float lid_edge = lid_seam(p);
-        const float shade = (1 - 0.8F * nostril) * (1 - 0.72F * parting) * (1 - 0.6F * lid_edge);
+        const float shade = (1 - 0.8F * nostril) * (1 - 0.55F * parting) * (1 - 0.6F * lid_edge);
+        // Shaven hairs go on below the skin, where they take from the red light that comes back from the depth.
+        const glm::vec3 below = glm::mix(glm::vec3(1), glm::vec3(0.66F, 0.78F, 0.86F),
+                                         std::max(beard(p, place), 0.55F * scalp(p, place)) * (1 - 0.5F * person_.grey));
         const glm::vec3 hair_colour = glm::mix(brown_hair, grey_hair, 0.75F * person_.grey);
         const float hair =
             std::max(0.93F * hairs_.cover(p, place.x < 0 ? -1.0F : 1.0F, texel_mm), stubble(p, place));
-        return glm::mix(skin * shade, hair_colour, hair);
+        return glm::mix(skin * below * shade, hair_colour, hair);
     }
 
 private:
     Pigment pigment_at(glm::vec3 p, glm::vec3 place) const {
-        float blood = blood_everywhere, relative = 1;
+        float blood = blood_everywhere, relative = 0.85F;
         for (const Patch& patch : patches) {
             const float weight = patch_weight(patch, p);
             blood += weight * patch.blood;
@@ -106,7 +109,7 @@ private:
         // Mottle the skin, coarsely by its blood and finely by both; sun and years make melanin patchier.
         const float age = std::max(person_.age, 0.0F);
         const float coarse = noise_.octaves(place / 19.0F, 3), fine = noise_.octaves(place / 2.4F, 2);
-        blood *= 1 + 0.38F * coarse + 0.20F * fine;
+        blood *= 1 + 0.5F * coarse + 0.22F * fine;
         relative += 0.12F * (1 + age) * noise_.octaves(place / 14.0F + glm::vec3(50), 2) +
                     0.08F * noise_(place / 1.1F);
         relative += 0.12F * age + 2.4F * freckles(p, place) + 2.2F * age_spots(p, place);
@@ -150,21 +153,29 @@ private:
         return where < 0.03F ? 0 : where * bell(spots_(place / 3.1F + 0.4F * noise_(place / 1.4F)), 0.10F);
     }
 
-    /// Shaven hair, in fine dots, over 0 (none) to 1: the scalp, and a little beard.
-    float stubble(glm::vec3 p, glm::vec3 place) const {
+    /// Where the scalp's hair would grow, 0 to 1.
+    float scalp(glm::vec3 p, glm::vec3 place) const {
+        return 0.75F * smooth_step(-10, 12, p.y - hairline_y(p.z) + 5 * noise_(place / 9.0F));
+    }
+
+    /// Where the beard grows, 0 to 1.
+    float beard(glm::vec3 p, glm::vec3 place) const {
         const float ragged = 5 * noise_(place / 9.0F);
-        const float scalp = 0.8F * smooth_step(-9, 9, p.y - hairline_y(p.z) + ragged);
         const float jaw = smooth_step(
             -46, -70, p.y + 0.45F * std::max(p.x - 30, 0.0F) * smooth_step(60, 20, p.z) + 0.5F * ragged);
         const float front =
             smooth_step(-5, 25, p.z) * smooth_step(-150, -122, p.y) * smooth_step(106, 100, p.z);
-        const float beard = bearded_ * jaw * front * (1 - on_lips(p)) * smooth_step(-51, -56, p.y);
-        const float all = std::max(scalp, beard) * (1 - 0.5F * person_.grey);
+        return bearded_ * jaw * front * (1 - on_lips(p)) * smooth_step(-50, -55, p.y);
+    }
+
+    /// Shaven hair's ends, in fine dots.
+    float stubble(glm::vec3 p, glm::vec3 place) const {
+        const float all = std::max(scalp(p, place), beard(p, place)) * (1 - 0.5F * person_.grey);
         if (all <= 0) {
             return 0;
         }
         const float dots = smooth_step(0.28F, 0.55F, spots_(place / 0.7F));
-        return all * (0.10F + 0.55F * dots);
+        return all * (0.06F + 0.5F * dots);
     }
 
     float lid_seam(glm::vec3 p) const {
@@ -213,8 +224,8 @@ ImagePtr roughness_map(const Person& person, const Atlas& atlas) {
         const float uneven = 0.05F * noise.octaves(place / 4.0F, 2) + 0.03F * noise(place / 0.7F);
         const float dry = 0.03F * std::clamp(person.age - 0.5F, -0.5F, 1.0F);
         const float roughness =
-            0.46F + dry - 0.10F * nose - 0.07F * forehead - 0.05F * cheek - 0.12F * on_lips(p) + uneven;
-        const float kept = std::clamp(roughness, 0.35F, 0.6F);
+            0.41F + dry - 0.12F * nose - 0.09F * forehead - 0.07F * cheek - 0.08F * on_lips(p) + uneven;
+        const float kept = std::clamp(roughness, 0.25F, 0.6F);
         return {0, static_cast<std::uint8_t>(std::lround(kept * 255)), 0};
     });
 }
