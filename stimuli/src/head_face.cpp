@@ -17,7 +17,7 @@ struct Lump {
     float height_mm;
 };
 
-constexpr std::array<Lump, 20> lumps{{
+constexpr std::array<Lump, 21> lumps{{
     {{27, 50, 88}, {22, 18, 30}, 1.6F},       // frontal eminence
     {{20, 20, 92}, {18, 9, 24}, 4.2F},        // brow ridge
     {{0, 25, 95}, {13, 10, 20}, 1.5F},        // between the brows
@@ -25,16 +25,17 @@ constexpr std::array<Lump, 20> lumps{{
     {{33, 7, 82}, {13, 5, 16}, 2.2F},         // soft tissue between brow and lid
     {{66, 28, 45}, {16, 20, 24}, -2.5F},      // temple
     {{12, 3, 84}, {7.5F, 10, 20}, -6.0F},       // inner corner of the socket
-    {{32, -14, 80}, {16, 6.5F, 18}, -1.6F},     // below the lower lid
-    {{50, -3, 66}, {7, 8, 16}, -1.0F},        // outer corner
+    {{31, -13, 80}, {16, 6.5F, 18}, -2.8F},     // below the lower lid
+    {{46, 0, 72}, {9, 8, 18}, -4.5F},        // outer corner
     {{43, -24, 74}, {17, 14, 24}, 4.6F},      // cheekbone
     {{60, -20, 48}, {12, 10, 22}, 2.4F},      // its arch towards the ear
     {{49, -54, 60}, {20, 20, 30}, 5.4F},      // fat of the cheek
-    {{0, -68, 92}, {21, 17, 22}, 3.8F},       // teeth carry the lips
+    {{0, -66, 94}, {20, 20, 26}, 5.4F},       // teeth carry the lips
     {{35, -63, 78}, {14, 19, 22}, 4.4F},      // fullness beside the mouth
     {{24, -48, 84}, {9, 12, 18}, 1.4F},       // beside the nose's wing
+    {{9, 2, 86}, {4, 12, 20}, -1.5F},         // beside the nose's root
     {{0, -89.5F, 92}, {17, 4.5F, 18}, -3.4F}, // groove above the chin
-    {{0, -103, 88}, {15, 10, 20}, 5.5F},      // chin
+    {{0, -102, 90}, {17, 11, 22}, 7.0F},      // chin
     {{27, -101, 72}, {12, 9, 16}, -0.8F},     // beside the chin
     {{0, -7, 84}, {40, 16, 22}, -1.0F},       // middle of the face
     {{50, -82, 14}, {16, 16, 24}, 3.4F},      // angle of the jaw
@@ -64,20 +65,20 @@ float add_nose(float skin, glm::vec3 p) {
         return skin;
     }
     // Bone and cartilage of the bridge, wide flanks, the tip, and the septum down to the lip.
-    const float bridge = capsule(p, {0, 6, 84.6F}, {0, -31, 104.8F}, 4.4F, 6.6F);
-    const float flank = capsule(p, {4, -4, 79}, {8.8F, -37, 91}, 4.4F, 7.8F);
-    const float tip = glm::length((p - nose_tip) / glm::vec3(1.15F, 1, 1)) - 8.6F;
-    const float septum = capsule(p, {0, -43, 104.5F}, {0, -49, 91}, 4.2F, 5.2F);
+    const float bridge = capsule(p, {0, 6, 85.2F}, {0, -29, 105.0F}, 3.8F, 6.3F);
+    const float flank = capsule(p, {4, -4, 78}, {8.2F, -35, 91}, 3.6F, 7.6F);
+    const float tip = glm::length((p - nose_tip) / glm::vec3(1.15F, 1, 1)) - 8.0F;
+    const float septum = capsule(p, {0, -41, 105.0F}, {0, -47, 92}, 4.2F, 5.2F);
     float nose = join(bridge, flank, 14);
     nose = join(nose, tip, 10);
     skin = join(skin, nose, 10);
     skin = join(skin, septum, 5);
 
     // The wings sit on the cheeks with a crease around them; the nostrils open below.
-    const float wing = capsule(p, {12.6F, -42.8F, 90.5F}, {6.5F, -41.5F, 101}, 5.2F, 5.2F);
+    const float wing = capsule(p, {12.0F, -40.6F, 91.5F}, {6.5F, -39.5F, 101.5F}, 5.0F, 5.2F);
     skin += 1.1F * bell(wing - 0.6F, 1.9F) * smooth_step(102, 94, p.z);
     skin = join(skin, wing, 2.8F);
-    const float nostril = ellipsoid(p, {7.2F, -50.2F, 98.6F}, {3.6F, 6.4F, 6.2F});
+    const float nostril = ellipsoid(p, {7.0F, -48.2F, 99.2F}, {3.6F, 6.4F, 6.2F});
     return carve(skin, -nostril, 2.0F);
 }
 
@@ -86,7 +87,7 @@ float add_eye(float skin, glm::vec3 p) {
         return skin;
     }
     const float ball = glm::length(p - eye_centre) - eye_radius;
-    skin = join(skin, ball, 12);
+    skin = join(skin, ball, 9);
 
     // The upper lid ends in an edge on the lower one; a fold parts it from the brow, a faint one the lower
     // lid from the cheek.
@@ -96,7 +97,7 @@ float add_eye(float skin, glm::vec3 p) {
     const float lower_rim = bell(above + 2.2F, 1.6F);
     const float fold = bell(p.y - lid_fold_y(p.x), 1.7F);
     const float lower_fold = bell(above + 9 - 3 * square(s - 0.5F), 1.8F);
-    return skin - inside * (0.9F * upper_lid + 0.3F * lower_rim - 0.40F * fold - 0.25F * lower_fold);
+    return skin - inside * (0.9F * upper_lid + 0.3F * lower_rim - 0.25F * fold - 0.25F * lower_fold);
 }
 
 float add_mouth(float skin, glm::vec3 p) {
@@ -104,7 +105,7 @@ float add_mouth(float skin, glm::vec3 p) {
         return skin;
     }
     // Philtrum, between two ridges.
-    const float philtrum = smooth_step(-66, -61, p.y) * smooth_step(-50, -55, p.y);
+    const float philtrum = smooth_step(-66, -61, p.y) * smooth_step(-47, -52, p.y);
     skin += philtrum * (1.3F * bell(p.x, 3.2F) - 0.6F * bell(p.x - 6, 2.8F));
 
     // Lips: each swells from its edge and turns in steeply towards the line between them.

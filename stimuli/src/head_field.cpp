@@ -28,10 +28,10 @@ constexpr std::array<Section, 9> sections{{
     {72.0F, -11, 85.2F, -93.5F, 2.0F}, // 2, eyes
     {68.8F, -2, 85.5F, -78, 2.08F},    // -18, cheekbones
     {65.0F, 2, 88.5F, -62, 2.05F},    // -38, nose
-    {61.0F, 4, 92.0F, -47, 2.0F},     // -58, upper lip
-    {54.5F, 4, 90.5F, -34, 2.05F},    // -78, lower lip
-    {48.5F, 9, 90.5F, -22, 2.0F},     // -98, chin
-    {40.0F, 16, 86.0F, -10, 2.1F},    // -118
+    {61.0F, 4, 93.5F, -47, 2.0F},     // -58, upper lip
+    {54.5F, 4, 93.0F, -34, 2.05F},    // -78, lower lip
+    {48.5F, 9, 92.5F, -22, 2.0F},     // -98, chin
+    {40.0F, 16, 88.0F, -10, 2.1F},    // -118
 }};
 
 /// The section at a height: a uniform cubic B-spline, level at the top, whose curvature has no jumps.

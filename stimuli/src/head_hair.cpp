@@ -75,7 +75,7 @@ void Hairs::add_brow(const Person& person, float side) {
     // below up.
     support::Generator generator(side < 0 ? "right brow" : "left brow", person.seed);
     const auto any = [&] { return static_cast<float>(generator.uniform()); };
-    const int count = static_cast<int>(1150 * (1 - 0.3F * std::clamp(person.age - 0.6F, 0.0F, 1.0F)));
+    const int count = static_cast<int>(1500 * (1 - 0.3F * std::clamp(person.age - 0.6F, 0.0F, 1.0F)));
     for (int i = 0; i < count; ++i) {
         const float s = std::pow(any(), 0.85F), across = any() + any() + any() - 1.5F;
         const float half_height = glm::mix(6.2F, 3.4F, std::pow(s, 0.9F)) * smooth_step(-0.15F, 0.12F, s);

@@ -42,8 +42,8 @@ float eye_mm(const Noise& noise, glm::vec3 p, glm::vec3 place) {
     const float side = place.x < 0 ? 4.5F : 2.5F, s = along_eye(p.x);
     const float lids =
         std::exp(-square((p.x - 32) / 16)) * smooth_step(-21, -9, p.y) * smooth_step(13, 6, p.y);
-    float depth = 0.050F * lids * valley(noise({p.x / 15, (p.y + 4.6F * arch(s)) / 1.7F, side + 5}), 0.13F);
-    depth += 0.045F * lids * valley(noise({p.x / 8 + 0.3F * p.y, p.y / 1.2F - 0.12F * p.x, side + 9}), 0.10F);
+    float depth = 0.025F * lids * valley(noise({p.x / 15, (p.y + 4.6F * arch(s)) / 1.7F, side + 5}), 0.13F);
+    depth += 0.025F * lids * valley(noise({p.x / 8 + 0.3F * p.y, p.y / 1.2F - 0.12F * p.x, side + 9}), 0.10F);
 
     const glm::vec2 from_corner(p.x - eye_outer_x + 5, p.y + 2.5F);
     const float reach = glm::length(from_corner), angle = std::atan2(from_corner.y, from_corner.x);
@@ -103,7 +103,7 @@ float lines_mm(const Person& person, const Noise& noise, glm::vec3 p, glm::vec3 
     const float present =
         smooth_step(-0.05F, 0.1F, s) * smooth_step(1.12F, 0.95F, s) * smooth_step(35, 45, p.z);
     depth +=
-        present * (0.10F * bell(p.y - lid_fold_y(p.x), 0.9F) + 0.45F * bell(p.y - lid_line_y(p.x), 0.4F));
+        present * (0.06F * bell(p.y - lid_fold_y(p.x), 0.9F) + 0.45F * bell(p.y - lid_line_y(p.x), 0.4F));
 
     // Lips are grooved from edge to edge and parted by a sharp line.
     const float lips = on_lips(p);

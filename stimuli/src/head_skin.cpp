@@ -30,11 +30,11 @@ constexpr std::array<Patch, 17> patches{{
     {{0, -37, 110}, {13, 12, 18}, 0.055F, 0.05F},  // tip of the nose
     {{13, -44, 95}, {7, 9, 12}, 0.055F, 0.10F},    // its wings
     {{0, -12, 98}, {7, 16, 20}, -0.004F, 0.05F},   // its bridge
-    {{46, -34, 72}, {19, 19, 30}, 0.050F, -0.15F}, // cheeks
+    {{45, -33, 72}, {18, 18, 30}, 0.034F, -0.20F}, // cheeks
     {{60, -56, 46}, {17, 22, 26}, 0.026F, 0.0F},   // their sides
-    {{30, -17, 82}, {18, 6, 20}, 0.004F, 0.22F},   // below the eyes
-    {{31, 0, 82}, {18, 9, 18}, 0.022F, 0.26F},     // lids and sockets
-    {{16, -3, 78}, {6, 9, 14}, 0.024F, 0.40F},     // inner corners
+    {{30, -17, 82}, {18, 6, 20}, 0.004F, 0.08F},   // below the eyes
+    {{31, 0, 82}, {18, 9, 18}, 0.018F, 0.10F},     // lids and sockets
+    {{16, -3, 78}, {6, 9, 14}, 0.024F, 0.25F},     // inner corners
     {{31, -6, 84}, {16, 3, 14}, 0.025F, 0.10F},    // the lids' edges
     {{0, -104, 88}, {16, 10, 20}, 0.030F, 0.0F},  // chin
     {{22, -64, 90}, {11, 16, 20}, -0.009F, 0.08F},    // above the lip
@@ -84,13 +84,13 @@ public:
         const glm::vec3 skin =
             lips > 0 ? glm::mix(colours_(pigment), lip_colours_(pigment), lips) : colours_(pigment);
         const float nostril =
-            std::exp(-square((p.x - 7.2F) / 3.8F) - square((p.y + 52.5F) / 2.6F) - square((p.z - 99) / 8));
+            std::exp(-square((p.x - 7.2F) / 3.8F) - square((p.y + 50.0F) / 2.8F) - square((p.z - 99) / 8));
         const float parting = smooth_step(mouth_half_width + 1.5F, mouth_half_width - 4, p.x) *
                               bell(p.y - lip_line_y(p.x), 0.7F) * smooth_step(50, 60, p.z);
         const float lid_edge = lid_seam(p);
         const float shade = (1 - 0.8F * nostril) * (1 - 0.55F * parting) * (1 - 0.6F * lid_edge);
         // Shaven hairs go on below the skin, where they take from the red light that comes back from the depth.
-        const glm::vec3 below = glm::mix(glm::vec3(1), glm::vec3(0.66F, 0.78F, 0.86F),
+        const glm::vec3 below = glm::mix(glm::vec3(1), glm::vec3(0.75F, 0.82F, 0.88F),
                                          std::max(beard(p, place), 0.55F * scalp(p, place)) * (1 - 0.5F * person_.grey));
         const glm::vec3 hair_colour = glm::mix(brown_hair, grey_hair, 0.75F * person_.grey);
         const float hair =
@@ -165,7 +165,7 @@ private:
             -46, -70, p.y + 0.45F * std::max(p.x - 30, 0.0F) * smooth_step(60, 20, p.z) + 0.5F * ragged);
         const float front =
             smooth_step(-5, 25, p.z) * smooth_step(-150, -122, p.y) * smooth_step(106, 100, p.z);
-        return bearded_ * jaw * front * (1 - on_lips(p)) * smooth_step(-50, -55, p.y);
+        return bearded_ * jaw * front * (1 - on_lips(p)) * smooth_step(-48, -53, p.y);
     }
 
     /// Shaven hair's ends, in fine dots.
