@@ -108,15 +108,15 @@ float add_mouth(float skin, glm::vec3 p) {
     const float philtrum = smooth_step(-66, -61, p.y) * smooth_step(-47, -52, p.y);
     skin += philtrum * (1.3F * bell(p.x, 3.2F) - 0.6F * bell(p.x - 6, 2.8F));
 
-    // Lips: each swells from its edge and turns in steeply towards the line between them.
+    // Lips: the upper swells to its edge and turns down from there, the lower is fullest in its middle.
     const float s = p.x / mouth_half_width;
     const float full = std::pow(std::max(1 - s * s, 0.0F), 1.1F);
     const float line = lip_line_y(p.x), top = lip_top_y(p.x), bottom = lip_bottom_y(p.x);
     const float up = std::clamp((p.y - line) / std::max(top - line, 1.0F), 0.0F, 2.0F);
     const float down = std::clamp((line - p.y) / std::max(line - bottom, 1.0F), 0.0F, 2.0F);
-    const float upper = smooth_step(1.35F, 0.3F, up) * (0.3F + 0.7F * smooth_step(0, 0.5F, up));
-    const float lower = smooth_step(1.7F, 0.3F, down) * (0.3F + 0.7F * smooth_step(0, 0.5F, down));
-    const float lips = p.y > line ? 3.9F * upper : 4.6F * lower;
+    const float upper = smooth_step(1.7F, 0.8F, up) * (0.15F + 0.85F * smooth_step(-0.1F, 0.85F, up));
+    const float lower = smooth_step(1.5F, 0.4F, down) * (0.2F + 0.8F * smooth_step(-0.05F, 0.5F, down));
+    const float lips = p.y > line ? 4.0F * upper : 4.2F * lower;
     skin -= full * lips;
 
     // The corners dip in, and the line between the lips runs into them.

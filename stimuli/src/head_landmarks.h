@@ -68,7 +68,7 @@ inline float lip_line_y(float x) {
 }
 inline float lip_bottom_y(float x) {
     const float s = std::min(x / mouth_half_width, 1.0F);
-    return -71.6F - 10.6F * std::pow(1 - s * s, 0.75F);
+    return -71.6F - 9.6F * std::pow(1 - s * s, 0.75F);
 }
 
 } // namespace stimuli::head

@@ -16,7 +16,7 @@ namespace {
 using renderer::scene::ImagePtr;
 
 /// Colour of single hairs, and their grey (linear Rec. 709).
-constexpr glm::vec3 brown_hair{0.030F, 0.016F, 0.010F}, grey_hair{0.30F, 0.28F, 0.26F};
+constexpr glm::vec3 brown_hair{0.020F, 0.011F, 0.007F}, grey_hair{0.30F, 0.28F, 0.26F};
 
 /// A patch with more blood than its surroundings (share of the dermis), and more melanin (relative to the
 /// person's own).
@@ -27,10 +27,10 @@ struct Patch {
 
 constexpr float blood_everywhere = 0.019F;
 constexpr std::array<Patch, 17> patches{{
-    {{0, -37, 110}, {13, 12, 18}, 0.055F, 0.05F},  // tip of the nose
-    {{13, -44, 95}, {7, 9, 12}, 0.055F, 0.10F},    // its wings
+    {{0, -36, 110}, {12, 11, 18}, 0.042F, 0.0F},    // tip of the nose
+    {{13, -42, 95}, {7, 8, 12}, 0.050F, 0.05F},     // its wings
     {{0, -12, 98}, {7, 16, 20}, -0.004F, 0.05F},   // its bridge
-    {{45, -33, 72}, {18, 18, 30}, 0.034F, -0.20F}, // cheeks
+    {{45, -34, 72}, {19, 18, 30}, 0.024F, -0.25F}, // cheeks
     {{60, -56, 46}, {17, 22, 26}, 0.026F, 0.0F},   // their sides
     {{30, -17, 82}, {18, 6, 20}, 0.004F, 0.08F},   // below the eyes
     {{31, 0, 82}, {18, 9, 18}, 0.018F, 0.10F},     // lids and sockets
@@ -82,13 +82,13 @@ public:
         const Pigment pigment = pigment_at(p, place);
         const float lips = on_lips(p);
         const glm::vec3 skin =
-            lips > 0 ? glm::mix(colours_(pigment), lip_colours_(pigment), lips) : colours_(pigment);
+            lips > 0 ? glm::mix(colours_(pigment), lip_colours_(pigment), 0.8F * lips) : colours_(pigment);
         const float nostril =
             std::exp(-square((p.x - 7.2F) / 3.8F) - square((p.y + 50.0F) / 2.8F) - square((p.z - 99) / 8));
         const float parting = smooth_step(mouth_half_width + 1.5F, mouth_half_width - 4, p.x) *
                               bell(p.y - lip_line_y(p.x), 0.7F) * smooth_step(50, 60, p.z);
         const float lid_edge = lid_seam(p);
-        const float shade = (1 - 0.8F * nostril) * (1 - 0.55F * parting) * (1 - 0.6F * lid_edge);
+        const float shade = (1 - 0.8F * nostril) * (1 - 0.7F * parting) * (1 - 0.6F * lid_edge);
         // Shaven hairs go on below the skin, where they take from the red light that comes back from the depth.
         const glm::vec3 below = glm::mix(glm::vec3(1), glm::vec3(0.75F, 0.82F, 0.88F),
                                          std::max(beard(p, place), 0.55F * scalp(p, place)) * (1 - 0.5F * person_.grey));
@@ -117,9 +117,9 @@ private:
 
         const float lips = on_lips(p);
         if (lips > 0) {
-            const float full = 0.11F - 0.04F * std::clamp(age, 0.0F, 1.0F);
+            const float full = 0.085F - 0.03F * std::clamp(age, 0.0F, 1.0F);
             blood = glm::mix(blood, full * (1 + 0.25F * noise_(place * glm::vec3(0.7F, 0.15F, 0.3F))), lips);
-            relative = glm::mix(relative, 0.9F, lips);
+            relative = glm::mix(relative, 1.6F, lips);
         }
         return {person_.melanin * std::max(relative, 0.2F), std::max(blood, 0.004F)};
     }

@@ -17,7 +17,7 @@ namespace {
 
 using renderer::scene::Mesh;
 
-constexpr int columns = 216, rows = 138; // 59,184 triangles
+constexpr int columns = 228, rows = 131; // 59,280 triangles
 
 /// Where the rays of one row start on the head's axis, and how steeply they rise in front and behind. The
 /// rows fan out over the crown and below the chin, and lie nearly level elsewhere; no two rays meet before
@@ -75,7 +75,7 @@ RayRow ray_row_at(float v) {
 float column_density(float azimuth_deg) {
     const float side = std::abs(azimuth_deg);
     return 0.15F + 1.07F * std::exp(-std::pow(side / 64, 4.0F)) + 0.2F * bell(side, 18) +
-           0.9F * bell(side - 95, 15);
+           1.5F * bell(side - 96, 14);
 }
 
 /// Azimuths of the columns in radians, from -pi to pi, 0 in front.
@@ -211,7 +211,7 @@ void spread_evenly(std::vector<glm::vec2>& rays, const Surface& surface, const s
 /// Move the ears' places towards the middle of their neighbours, a few times, so that the rims lose the steps
 /// that the grid's columns cut into them.
 void smooth_ears(Surface& surface, const std::vector<bool>& on_ear) {
-    constexpr int passes = 6;
+    constexpr int passes = 3;
     for (int pass = 0; pass < passes; ++pass) {
         const Surface before = surface;
         for (int j = 1; j < surface.rows; ++j) {
