@@ -25,13 +25,13 @@ struct Patch {
     float blood, melanin;
 };
 
-constexpr float blood_everywhere = 0.019F;
+constexpr float blood_everywhere = 0.022F;
 constexpr std::array<Patch, 17> patches{{
     {{0, -36, 110}, {12, 11, 18}, 0.042F, 0.0F},    // tip of the nose
     {{13, -42, 95}, {7, 8, 12}, 0.050F, 0.05F},     // its wings
-    {{0, -12, 98}, {7, 16, 20}, -0.004F, 0.05F},   // its bridge
-    {{45, -34, 72}, {19, 18, 30}, 0.024F, -0.25F}, // cheeks
-    {{60, -56, 46}, {17, 22, 26}, 0.026F, 0.0F},   // their sides
+    {{0, 0, 98}, {8, 14, 20}, -0.013F, 0.05F},   // its bridge
+    {{46, -34, 72}, {20, 19, 30}, 0.036F, -0.20F}, // cheeks
+    {{60, -58, 46}, {17, 22, 26}, 0.034F, 0.0F},   // their sides
     {{30, -17, 82}, {18, 6, 20}, 0.004F, 0.08F},   // below the eyes
     {{31, 0, 82}, {18, 9, 18}, 0.018F, 0.10F},     // lids and sockets
     {{16, -3, 78}, {6, 9, 14}, 0.024F, 0.25F},     // inner corners
@@ -40,7 +40,7 @@ constexpr std::array<Patch, 17> patches{{
     {{22, -64, 90}, {11, 16, 20}, -0.009F, 0.08F},    // above the lip
     {{24, 46, 86}, {26, 15, 40}, 0.010F, 0.0F},  // forehead
     {{6, 22, 98}, {12, 12, 20}, 0.016F, 0.0F},     // between the brows
-    {{66, 22, 40}, {14, 20, 26}, -0.008F, -0.05F}, // temples
+    {{62, 22, 40}, {16, 22, 26}, -0.012F, 0.0F}, // temples
     {{90, -17, -30}, {22, 40, 22}, 0.060F, 0.0F},  // ears
     {{28, -72, 84}, {6, 6, 14}, 0.020F, 0.20F},    // corners of the mouth
     {{0, -190, 20}, {60, 40, 60}, 0.012F, 0.10F},  // throat and chest
@@ -82,7 +82,7 @@ public:
         const Pigment pigment = pigment_at(p, place);
         const float lips = on_lips(p);
         const glm::vec3 skin =
-            lips > 0 ? glm::mix(colours_(pigment), lip_colours_(pigment), 0.8F * lips) : colours_(pigment);
+            lips > 0 ? glm::mix(colours_(pigment), lip_colours_(pigment), lips) : colours_(pigment);
         const float nostril =
             std::exp(-square((p.x - 7.2F) / 3.8F) - square((p.y + 50.0F) / 2.8F) - square((p.z - 99) / 8));
         const float parting = smooth_step(mouth_half_width + 1.5F, mouth_half_width - 4, p.x) *
@@ -92,7 +92,7 @@ public:
         // Shaven hairs go on below the skin, where they take from the red light that comes back from the depth.
         const glm::vec3 below = glm::mix(glm::vec3(1), glm::vec3(0.75F, 0.82F, 0.88F),
                                          std::max(beard(p, place), 0.55F * scalp(p, place)) * (1 - 0.5F * person_.grey));
-        const glm::vec3 hair_colour = glm::mix(brown_hair, grey_hair, 0.75F * person_.grey);
+        const glm::vec3 hair_colour = glm::mix(brown_hair, grey_hair, 0.5F * person_.grey);
         const float hair =
             std::max(0.93F * hairs_.cover(p, place.x < 0 ? -1.0F : 1.0F, texel_mm), stubble(p, place));
         return glm::mix(skin * below * shade, hair_colour, hair);
@@ -100,7 +100,7 @@ public:
 
 private:
     Pigment pigment_at(glm::vec3 p, glm::vec3 place) const {
-        float blood = blood_everywhere, relative = 0.85F;
+        float blood = blood_everywhere, relative = 0.75F;
         for (const Patch& patch : patches) {
             const float weight = patch_weight(patch, p);
             blood += weight * patch.blood;
@@ -119,7 +119,7 @@ private:
         if (lips > 0) {
             const float full = 0.085F - 0.03F * std::clamp(age, 0.0F, 1.0F);
             blood = glm::mix(blood, full * (1 + 0.25F * noise_(place * glm::vec3(0.7F, 0.15F, 0.3F))), lips);
-            relative = glm::mix(relative, 1.6F, lips);
+            relative = glm::mix(relative, 1.8F, lips);
         }
         return {person_.melanin * std::max(relative, 0.2F), std::max(blood, 0.004F)};
     }
