@@ -78,7 +78,7 @@ float add_nose(float skin, glm::vec3 p) {
     const float wing = capsule(p, {12.0F, -40.6F, 91.5F}, {6.5F, -39.5F, 101.5F}, 5.0F, 5.2F);
     skin += 1.1F * bell(wing - 0.6F, 1.9F) * smooth_step(102, 94, p.z);
     skin = join(skin, wing, 2.8F);
-    const float nostril = ellipsoid(p, {7.0F, -48.2F, 99.2F}, {3.6F, 6.4F, 6.2F});
+    const float nostril = ellipsoid(p, {7.0F, -50.0F, 99.0F}, {3.6F, 6.0F, 6.2F});
     return carve(skin, -nostril, 2.0F);
 }
 

@@ -120,7 +120,7 @@ float ellipsoid(glm::vec3 place, glm::vec3 centre, glm::vec3 radii) {
 
 float field(const Person& person, glm::vec3 place_mm) {
     const glm::vec3 p = person.fold(place_mm);
-    const float below_chin = capsule(p, {0, -102, 66}, {0, -128, 20}, 11, 22);
+    const float below_chin = capsule(p, {0, -96, 54}, {0, -126, 20}, 10, 21);
     const float body = join(join(skull(p), below_chin, 22), bust(p), 16);
     const float skin = p.z > -40 && p.y < 90 && p.y > -135 ? add_face(person, body, p) : body;
     constexpr float floor_y = -252;

@@ -117,9 +117,9 @@ private:
 
         const float lips = on_lips(p);
         if (lips > 0) {
-            const float full = 0.085F - 0.03F * std::clamp(age, 0.0F, 1.0F);
+            const float full = 0.14F - 0.05F * std::clamp(age, 0.0F, 1.0F);
             blood = glm::mix(blood, full * (1 + 0.25F * noise_(place * glm::vec3(0.7F, 0.15F, 0.3F))), lips);
-            relative = glm::mix(relative, 1.8F, lips);
+            relative = glm::mix(relative, 1.4F, lips);
         }
         return {person_.melanin * std::max(relative, 0.2F), std::max(blood, 0.004F)};
     }

@@ -34,9 +34,9 @@ constexpr std::array<RayRow, 14> ray_rows{{
     {0.100F, 40, -9, 20, 20},
     {0.160F, 30, -8, 4, 4},
     {0.330F, 3, -6, 0, 0},
-    {0.480F, -14, -5, -15, -8},
-    {0.600F, -28, -5, -20, -12},
-    {0.750F, -60, -6, -24, -8},
+    {0.480F, -11, -5, -18, -8},
+    {0.600F, -25, -5, -23, -12},
+    {0.750F, -58, -6, -26, -8},
     {0.845F, -84, -12, -36, -8},
     {0.895F, -118, -24, -20, -6},
     {0.925F, -158, -34, -6, -3},
@@ -74,7 +74,7 @@ RayRow ray_row_at(float v) {
 /// How many columns a degree around the head deserves: many on the face, more at the ears, few behind.
 float column_density(float azimuth_deg) {
     const float side = std::abs(azimuth_deg);
-    return 0.15F + 1.07F * std::exp(-std::pow(side / 64, 4.0F)) + 0.2F * bell(side, 18) +
+    return 0.15F + 1.07F * std::exp(-std::pow(side / 64, 4.0F)) + 0.2F * bell(side, 18) + 0.4F * bell(side - 52, 15) +
            1.5F * bell(side - 96, 14);
 }
 
@@ -164,7 +164,7 @@ glm::vec3 between(const Surface& surface, glm::vec2 ray) {
 /// Slide the face's rays along the skin towards the middle of their neighbours, so that cells become squares
 /// of the map: a few steps down the energy whose least value a conformal map has. [PinkallPolthier1993]
 void spread_evenly(std::vector<glm::vec2>& rays, const Surface& surface, const std::vector<float>& azimuths) {
-    constexpr int steps = 90;
+    constexpr int steps = 300;
     constexpr float across = static_cast<float>(columns) / rows, down = 1 / across;
     std::vector<glm::vec3> places = surface.place_mm;
     for (int step = 0; step < steps; ++step) {
@@ -179,7 +179,7 @@ void spread_evenly(std::vector<glm::vec2>& rays, const Surface& surface, const s
                 const float below_nose = smooth_step(75, 82, first.z) *
                                          smooth_step(26, 17, std::abs(first.x)) *
                                          smooth_step(-66, -59, first.y) * smooth_step(-36, -42, first.y);
-                const float free = 0.45F * level * smooth_step(1.25F, 1.0F, side) * (1 - below_nose);
+                const float free = 0.45F * level * smooth_step(1.42F, 1.1F, side) * (1 - 0 * below_nose);
                 if (free <= 0) {
                     continue;
                 }
