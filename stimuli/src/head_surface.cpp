@@ -164,7 +164,7 @@ glm::vec3 between(const Surface& surface, glm::vec2 ray) {
 /// Slide the face's rays along the skin towards the middle of their neighbours, so that cells become squares
 /// of the map: a few steps down the energy whose least value a conformal map has. [PinkallPolthier1993]
 void spread_evenly(std::vector<glm::vec2>& rays, const Surface& surface, const std::vector<float>& azimuths) {
-    constexpr int steps = 300;
+    constexpr int steps = 500;
     constexpr float across = static_cast<float>(columns) / rows, down = 1 / across;
     std::vector<glm::vec3> places = surface.place_mm;
     for (int step = 0; step < steps; ++step) {
@@ -174,12 +174,7 @@ void spread_evenly(std::vector<glm::vec2>& rays, const Surface& surface, const s
             const float level = smooth_step(0.06F, 0.14F, v) * smooth_step(0.90F, 0.84F, v);
             for (int i = 1; i < columns; ++i) {
                 const float side = std::abs(azimuths[static_cast<std::size_t>(i)]);
-                // Below the nose rays graze what hangs over; there they stay as they are.
-                const glm::vec3& first = surface.at(i, j);
-                const float below_nose = smooth_step(75, 82, first.z) *
-                                         smooth_step(26, 17, std::abs(first.x)) *
-                                         smooth_step(-66, -59, first.y) * smooth_step(-36, -42, first.y);
-                const float free = 0.45F * level * smooth_step(1.42F, 1.1F, side) * (1 - 0 * below_nose);
+                const float free = 0.45F * level * smooth_step(1.5F, 1.2F, side);
                 if (free <= 0) {
                     continue;
                 }
