@@ -43,8 +43,8 @@ float ridge(const std::array<glm::vec2, count>& line, glm::vec2 at, float width)
     return bell(nearest, width);
 }
 
-// The antihelix rises from above the lobe and forks; the helix begins in the bowl. Backwards and up, as shares of the
-// outline's reach.
+// The antihelix rises from above the lobe and forks; the helix begins in the bowl. Backwards and up, as
+// shares of the outline's reach.
 constexpr std::array<glm::vec2, 6> antihelix_line{
     {{0.10F, -0.55F}, {0.36F, -0.42F}, {0.50F, -0.18F}, {0.48F, 0.12F}, {0.34F, 0.36F}, {0.16F, 0.66F}}};
 constexpr std::array<glm::vec2, 3> fork_line{{{0.36F, 0.34F}, {0.0F, 0.36F}, {-0.40F, 0.40F}}};
@@ -58,7 +58,8 @@ float relief(float s, float back, float up) {
         return std::exp(-square((at.x - x) / wide) - square((at.y - y) / high));
     };
     const float lobe = smooth_step(-0.45F, -0.75F, at.y);
-    const float rolled = smooth_step(-0.80F, -0.35F, back + 0.6F * up) * (1 - smooth_step(-0.35F, -0.75F, up));
+    const float rolled =
+        smooth_step(-0.80F, -0.35F, back + 0.6F * up) * (1 - smooth_step(-0.35F, -0.75F, up));
     const float helix = 3.4F * rolled * bell(s - 0.93F, 0.10F);
     const float gutter = -2.6F * rolled * bell(s - 0.76F, 0.10F) * smooth_step(-0.2F, 0.3F, back + 0.5F * up);
     const float antihelix = 3.9F * ridge(antihelix_line, at, 0.15F) + 2.0F * ridge(fork_line, at, 0.11F);

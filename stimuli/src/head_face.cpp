@@ -24,9 +24,9 @@ constexpr std::array<Lump, 21> lumps{{
     {{43, 15, 78}, {12, 8, 18}, 4.2F},        // its outer end
     {{33, 7, 82}, {13, 5, 16}, 2.2F},         // soft tissue between brow and lid
     {{66, 28, 45}, {16, 20, 24}, -2.5F},      // temple
-    {{12, 3, 84}, {7.5F, 10, 20}, -6.0F},       // inner corner of the socket
-    {{31, -13, 80}, {16, 6.5F, 18}, -2.8F},     // below the lower lid
-    {{46, 0, 72}, {9, 8, 18}, -4.5F},        // outer corner
+    {{12, 3, 84}, {7.5F, 10, 20}, -6.0F},     // inner corner of the socket
+    {{31, -13, 80}, {16, 6.5F, 18}, -2.8F},   // below the lower lid
+    {{46, 0, 72}, {9, 8, 18}, -4.5F},         // outer corner
     {{43, -24, 74}, {17, 14, 24}, 4.6F},      // cheekbone
     {{60, -20, 48}, {12, 10, 22}, 2.4F},      // its arch towards the ear
     {{49, -54, 60}, {20, 20, 30}, 5.4F},      // fat of the cheek

@@ -23,15 +23,15 @@ struct Section {
 /// long.
 constexpr float top_y = 42, spacing_y = 20;
 constexpr std::array<Section, 9> sections{{
-    {76.0F, -24, 92.6F, -103, 1.95F}, // y = 42, the widest place of the skull
+    {76.0F, -24, 92.6F, -103, 1.95F},  // y = 42, the widest place of the skull
     {75.2F, -20, 92.6F, -101, 1.95F},  // 22, brows
     {72.0F, -11, 85.2F, -93.5F, 2.0F}, // 2, eyes
     {68.8F, -2, 85.5F, -78, 2.08F},    // -18, cheekbones
-    {65.0F, 2, 88.5F, -62, 2.05F},    // -38, nose
-    {61.0F, 4, 93.5F, -47, 2.0F},     // -58, upper lip
-    {54.5F, 4, 93.0F, -34, 2.05F},    // -78, lower lip
-    {48.5F, 9, 92.5F, -22, 2.0F},     // -98, chin
-    {40.0F, 16, 88.0F, -10, 2.1F},    // -118
+    {65.0F, 2, 88.5F, -62, 2.05F},     // -38, nose
+    {61.0F, 4, 93.5F, -47, 2.0F},      // -58, upper lip
+    {54.5F, 4, 93.0F, -34, 2.05F},     // -78, lower lip
+    {48.5F, 9, 92.5F, -22, 2.0F},      // -98, chin
+    {40.0F, 16, 88.0F, -10, 2.1F},     // -118
 }};
 
 /// The section at a height: a uniform cubic B-spline, level at the top, whose curvature has no jumps.
@@ -70,7 +70,7 @@ float skull(glm::vec3 p) {
 
     // The jaw's edge rises from the chin to the angle below the ear.
     constexpr float jaw_slope = 0.40F;
-    const float below = (chin_y - 2.0F - p.y + (80 - p.z) * jaw_slope) / std::sqrt(1 + jaw_slope * jaw_slope);
+    const float below = (chin_y - 1.0F - p.y + (80 - p.z) * jaw_slope) / std::sqrt(1 + jaw_slope * jaw_slope);
     return carve(body, below, 20);
 }
 

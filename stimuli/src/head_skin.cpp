@@ -27,20 +27,20 @@ struct Patch {
 
 constexpr float blood_everywhere = 0.022F;
 constexpr std::array<Patch, 17> patches{{
-    {{0, -36, 110}, {12, 11, 18}, 0.042F, 0.0F},    // tip of the nose
-    {{13, -42, 95}, {7, 8, 12}, 0.050F, 0.05F},     // its wings
-    {{0, 0, 98}, {8, 14, 20}, -0.013F, 0.05F},   // its bridge
+    {{0, -36, 110}, {12, 11, 18}, 0.042F, 0.0F},   // tip of the nose
+    {{13, -42, 95}, {7, 8, 12}, 0.050F, 0.05F},    // its wings
+    {{0, 0, 98}, {8, 14, 20}, -0.013F, 0.05F},     // its bridge
     {{46, -34, 72}, {20, 19, 30}, 0.036F, -0.20F}, // cheeks
     {{60, -58, 46}, {17, 22, 26}, 0.034F, 0.0F},   // their sides
     {{30, -17, 82}, {18, 6, 20}, 0.004F, 0.08F},   // below the eyes
     {{31, 0, 82}, {18, 9, 18}, 0.018F, 0.10F},     // lids and sockets
     {{16, -3, 78}, {6, 9, 14}, 0.024F, 0.25F},     // inner corners
     {{31, -6, 84}, {16, 3, 14}, 0.025F, 0.10F},    // the lids' edges
-    {{0, -104, 88}, {16, 10, 20}, 0.030F, 0.0F},  // chin
-    {{22, -64, 90}, {11, 16, 20}, -0.009F, 0.08F},    // above the lip
-    {{24, 46, 86}, {26, 15, 40}, 0.010F, 0.0F},  // forehead
+    {{0, -104, 88}, {16, 10, 20}, 0.030F, 0.0F},   // chin
+    {{22, -64, 90}, {11, 16, 20}, -0.009F, 0.08F}, // above the lip
+    {{24, 46, 86}, {26, 15, 40}, 0.010F, 0.0F},    // forehead
     {{6, 22, 98}, {12, 12, 20}, 0.016F, 0.0F},     // between the brows
-    {{62, 22, 40}, {16, 22, 26}, -0.012F, 0.0F}, // temples
+    {{62, 22, 40}, {16, 22, 26}, -0.012F, 0.0F},   // temples
     {{90, -17, -30}, {22, 40, 22}, 0.060F, 0.0F},  // ears
     {{28, -72, 84}, {6, 6, 14}, 0.020F, 0.20F},    // corners of the mouth
     {{0, -190, 20}, {60, 40, 60}, 0.012F, 0.10F},  // throat and chest
@@ -89,9 +89,11 @@ public:
                               bell(p.y - lip_line_y(p.x), 0.7F) * smooth_step(50, 60, p.z);
         const float lid_edge = lid_seam(p);
         const float shade = (1 - 0.8F * nostril) * (1 - 0.7F * parting) * (1 - 0.6F * lid_edge);
-        // Shaven hairs go on below the skin, where they take from the red light that comes back from the depth.
-        const glm::vec3 below = glm::mix(glm::vec3(1), glm::vec3(0.75F, 0.82F, 0.88F),
-                                         std::max(beard(p, place), 0.55F * scalp(p, place)) * (1 - 0.5F * person_.grey));
+        // Shaven hairs go on below the skin, where they take from the red light that comes back from the
+        // depth.
+        const glm::vec3 below =
+            glm::mix(glm::vec3(1), glm::vec3(0.75F, 0.82F, 0.88F),
+                     std::max(beard(p, place), 0.55F * scalp(p, place)) * (1 - 0.5F * person_.grey));
         const glm::vec3 hair_colour = glm::mix(brown_hair, grey_hair, 0.5F * person_.grey);
         const float hair =
             std::max(0.93F * hairs_.cover(p, place.x < 0 ? -1.0F : 1.0F, texel_mm), stubble(p, place));

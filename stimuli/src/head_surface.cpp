@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <numbers>
+#include <utility>
 
 #include <tbb/parallel_for.h>
 
@@ -74,8 +75,8 @@ RayRow ray_row_at(float v) {
 /// How many columns a degree around the head deserves: many on the face, more at the ears, few behind.
 float column_density(float azimuth_deg) {
     const float side = std::abs(azimuth_deg);
-    return 0.15F + 1.07F * std::exp(-std::pow(side / 64, 4.0F)) + 0.2F * bell(side, 18) + 0.4F * bell(side - 52, 15) +
-           1.5F * bell(side - 96, 14);
+    return 0.15F + 1.07F * std::exp(-std::pow(side / 64, 4.0F)) + 0.45F * bell(side, 14) +
+           0.75F * bell(side - 62, 18) + 1.2F * bell(side - 96, 14);
 }
 
 /// Azimuths of the columns in radians, from -pi to pi, 0 in front.
@@ -161,10 +162,16 @@ glm::vec3 between(const Surface& surface, glm::vec2 ray) {
                     glm::mix(surface.at(i, j + 1), surface.at(i + 1, j + 1), right), down);
 }
 
+/// How hard the cells around a place pull together: harder on the nose, which would get too few of them.
+float tightness(glm::vec3 place_mm) {
+    const glm::vec3 rel = place_mm - glm::vec3(0, -34, 108);
+    return 1 + 2.0F * std::exp(-glm::dot(rel, rel) / square(20));
+}
+
 /// Slide the face's rays along the skin towards the middle of their neighbours, so that cells become squares
 /// of the map: a few steps down the energy whose least value a conformal map has. [PinkallPolthier1993]
 void spread_evenly(std::vector<glm::vec2>& rays, const Surface& surface, const std::vector<float>& azimuths) {
-    constexpr int steps = 500;
+    constexpr int steps = 450;
     constexpr float across = static_cast<float>(columns) / rows, down = 1 / across;
     std::vector<glm::vec3> places = surface.place_mm;
     for (int step = 0; step < steps; ++step) {
@@ -174,15 +181,21 @@ void spread_evenly(std::vector<glm::vec2>& rays, const Surface& surface, const s
             const float level = smooth_step(0.06F, 0.14F, v) * smooth_step(0.90F, 0.84F, v);
             for (int i = 1; i < columns; ++i) {
                 const float side = std::abs(azimuths[static_cast<std::size_t>(i)]);
-                const float free = 0.45F * level * smooth_step(1.5F, 1.2F, side);
+                const float free = 0.45F * level * smooth_step(1.56F, 1.28F, side);
                 if (free <= 0) {
                     continue;
                 }
                 const auto k = static_cast<std::size_t>(j * (columns + 1) + i),
                            row = std::size_t{columns + 1};
-                const glm::vec3 middle =
-                    (across * (places[k - 1] + places[k + 1]) + down * (places[k - row] + places[k + row])) /
-                    (2 * (across + down));
+                glm::vec3 middle(0);
+                float sum = 0;
+                for (const auto& [other, weight] :
+                     {std::pair{k - 1, across}, {k + 1, across}, {k - row, down}, {k + row, down}}) {
+                    const float tension = weight * (tightness(places[k]) + tightness(places[other]));
+                    middle += tension * places[other];
+                    sum += tension;
+                }
+                middle /= sum;
                 const glm::vec3 pull = middle - places[k];
                 const glm::vec3 right = between(surface, rays[k] + glm::vec2(0.5F, 0)) -
                                         between(surface, rays[k] - glm::vec2(0.5F, 0));
