@@ -67,10 +67,10 @@ float add_nose(float skin, glm::vec3 p) {
     // Bone and cartilage of the bridge, wide flanks, the tip, and the septum down to the lip.
     const float bridge = capsule(p, {0, 6, 85.2F}, {0, -29, 105.0F}, 3.8F, 6.3F);
     const float flank = capsule(p, {4, -4, 78}, {8.2F, -35, 91}, 3.6F, 7.6F);
-    const float tip = glm::length((p - nose_tip) / glm::vec3(1.15F, 1, 1)) - 8.0F;
+    const float tip = glm::length((p - nose_tip) / glm::vec3(1.06F, 1, 1)) - 8.0F;
     const float septum = capsule(p, {0, -41, 105.0F}, {0, -47, 92}, 4.2F, 5.2F);
     float nose = join(bridge, flank, 14);
-    nose = join(nose, tip, 10);
+    nose = join(nose, tip, 13);
     skin = join(skin, nose, 10);
     skin = join(skin, septum, 5);
 

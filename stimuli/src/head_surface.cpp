@@ -165,7 +165,7 @@ glm::vec3 between(const Surface& surface, glm::vec2 ray) {
 /// How hard the cells around a place pull together: harder on the nose, which would get too few of them.
 float tightness(glm::vec3 place_mm) {
     const glm::vec3 rel = place_mm - glm::vec3(0, -34, 108);
-    return 1 + 2.0F * std::exp(-glm::dot(rel, rel) / square(20));
+    return 1 + 1.5F * std::exp(-glm::dot(rel, rel) / square(22));
 }
 
 /// Slide the face's rays along the skin towards the middle of their neighbours, so that cells become squares
