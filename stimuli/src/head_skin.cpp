@@ -16,7 +16,7 @@ namespace {
 using renderer::scene::ImagePtr;
 
 /// Colour of single hairs, and their grey (linear Rec. 709).
-constexpr glm::vec3 brown_hair{0.020F, 0.011F, 0.007F}, grey_hair{0.30F, 0.28F, 0.26F};
+constexpr glm::vec3 brown_hair{0.012F, 0.007F, 0.005F}, grey_hair{0.30F, 0.28F, 0.26F};
 
 /// A patch with more blood than its surroundings (share of the dermis), and more melanin (relative to the
 /// person's own).
@@ -27,17 +27,17 @@ struct Patch {
 
 constexpr float blood_everywhere = 0.022F;
 constexpr std::array<Patch, 17> patches{{
-    {{0, -36, 110}, {12, 11, 18}, 0.042F, 0.0F},   // tip of the nose
+    {{0, -36, 110}, {12, 11, 18}, 0.050F, -0.25F},   // tip of the nose
     {{13, -42, 95}, {7, 8, 12}, 0.050F, 0.05F},    // its wings
     {{0, 0, 98}, {8, 14, 20}, -0.013F, 0.05F},     // its bridge
-    {{46, -34, 72}, {20, 19, 30}, 0.036F, -0.20F}, // cheeks
-    {{60, -58, 46}, {17, 22, 26}, 0.034F, 0.0F},   // their sides
+    {{46, -34, 72}, {20, 19, 30}, 0.050F, -0.40F}, // cheeks
+    {{60, -58, 46}, {17, 22, 26}, 0.040F, -0.20F},   // their sides
     {{30, -17, 82}, {18, 6, 20}, 0.004F, 0.08F},   // below the eyes
     {{31, 0, 82}, {18, 9, 18}, 0.018F, 0.10F},     // lids and sockets
     {{16, -3, 78}, {6, 9, 14}, 0.024F, 0.25F},     // inner corners
     {{31, -6, 84}, {16, 3, 14}, 0.025F, 0.10F},    // the lids' edges
     {{0, -104, 88}, {16, 10, 20}, 0.030F, 0.0F},   // chin
-    {{22, -64, 90}, {11, 16, 20}, -0.009F, 0.08F}, // above the lip
+    {{24, -62, 90}, {12, 18, 20}, -0.012F, 0.15F}, // above the lip
     {{24, 46, 86}, {26, 15, 40}, 0.010F, 0.0F},    // forehead
     {{6, 22, 98}, {12, 12, 20}, 0.016F, 0.0F},     // between the brows
     {{62, 22, 40}, {16, 22, 26}, -0.012F, 0.0F},   // temples
@@ -93,10 +93,10 @@ public:
         // depth.
         const glm::vec3 below =
             glm::mix(glm::vec3(1), glm::vec3(0.75F, 0.82F, 0.88F),
-                     std::max(beard(p, place), 0.55F * scalp(p, place)) * (1 - 0.5F * person_.grey));
+                     std::max(beard(p, place), 0.85F * scalp(p, place)) * (1 - 0.5F * person_.grey));
         const glm::vec3 hair_colour = glm::mix(brown_hair, grey_hair, 0.5F * person_.grey);
         const float hair =
-            std::max(0.93F * hairs_.cover(p, place.x < 0 ? -1.0F : 1.0F, texel_mm), stubble(p, place));
+            std::max(0.97F * hairs_.cover(p, place.x < 0 ? -1.0F : 1.0F, texel_mm), stubble(p, place));
         return glm::mix(skin * below * shade, hair_colour, hair);
     }
 
@@ -112,7 +112,7 @@ private:
         const float age = std::max(person_.age, 0.0F);
         const float coarse = noise_.octaves(place / 19.0F, 3), fine = noise_.octaves(place / 2.4F, 2);
         blood *= 1 + 0.5F * coarse + 0.22F * fine;
-        relative += 0.12F * (1 + age) * noise_.octaves(place / 14.0F + glm::vec3(50), 2) +
+        relative += 0.18F * (1 + age) * noise_.octaves(place / 17.0F + glm::vec3(50), 2) +
                     0.08F * noise_(place / 1.1F);
         relative += 0.12F * age + 2.4F * freckles(p, place) + 2.2F * age_spots(p, place);
         blood += 0.010F * age * vessels(p, place);
@@ -157,7 +157,7 @@ private:
 
     /// Where the scalp's hair would grow, 0 to 1.
     float scalp(glm::vec3 p, glm::vec3 place) const {
-        return 0.75F * smooth_step(-10, 12, p.y - hairline_y(p.z) + 5 * noise_(place / 9.0F));
+        return 0.9F * smooth_step(-10, 12, p.y - hairline_y(p.z) + 5 * noise_(place / 9.0F));
     }
 
     /// Where the beard grows, 0 to 1.
@@ -215,8 +215,9 @@ ImagePtr albedo_map(const Person& person, const Atlas& atlas) {
 
 ImagePtr roughness_map(const Person& person, const Atlas& atlas) {
     const Noise noise("head roughness", person.seed);
+    const Hairs hairs(person);
     return filled_map([&](int x, int y) -> Texel {
-        // Nose and forehead are oily, the lips moist, the rest dry, and drier with age.
+        // Nose and forehead are oily, the lips moist, the rest dry, and drier with age; hairs lie every way.
         const glm::vec3 place = atlas.place_mm(x, y), p = person.fold(place);
         const float nose = std::exp(-square(p.x / 18) - square((p.y + 32) / 22)) * smooth_step(70, 85, p.z);
         const float forehead =
@@ -227,7 +228,8 @@ ImagePtr roughness_map(const Person& person, const Atlas& atlas) {
         const float dry = 0.03F * std::clamp(person.age - 0.5F, -0.5F, 1.0F);
         const float roughness =
             0.41F + dry - 0.12F * nose - 0.09F * forehead - 0.07F * cheek - 0.08F * on_lips(p) + uneven;
-        const float kept = std::clamp(roughness, 0.25F, 0.6F);
+        const float hair = hairs.cover(p, place.x < 0 ? -1.0F : 1.0F, atlas.texel_mm(x, y));
+        const float kept = std::clamp(glm::mix(roughness, 0.6F, hair), 0.25F, 0.6F);
         return {0, static_cast<std::uint8_t>(std::lround(kept * 255)), 0};
     });
 }
