@@ -19,8 +19,8 @@ struct Lump {
 
 constexpr std::array<Lump, 21> lumps{{
     {{27, 50, 88}, {22, 18, 30}, 1.6F},       // frontal eminence
-    {{20, 20, 92}, {18, 9, 24}, 4.2F},        // brow ridge
-    {{0, 25, 95}, {13, 10, 20}, 1.5F},        // between the brows
+    {{21, 20, 92}, {18, 9, 24}, 3.7F},        // brow ridge
+    {{0, 25, 95}, {13, 10, 20}, 0.9F},        // between the brows
     {{43, 15, 78}, {12, 8, 18}, 4.2F},        // its outer end
     {{33, 7, 82}, {13, 5, 16}, 2.2F},         // soft tissue between brow and lid
     {{66, 28, 45}, {16, 20, 24}, -2.5F},      // temple

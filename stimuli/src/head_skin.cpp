@@ -27,11 +27,11 @@ struct Patch {
 
 constexpr float blood_everywhere = 0.022F;
 constexpr std::array<Patch, 17> patches{{
-    {{0, -36, 110}, {12, 11, 18}, 0.050F, -0.25F},   // tip of the nose
+    {{0, -36, 110}, {12, 11, 18}, 0.050F, -0.25F}, // tip of the nose
     {{13, -42, 95}, {7, 8, 12}, 0.050F, 0.05F},    // its wings
     {{0, 0, 98}, {8, 14, 20}, -0.013F, 0.05F},     // its bridge
-    {{46, -34, 72}, {20, 19, 30}, 0.050F, -0.40F}, // cheeks
-    {{60, -58, 46}, {17, 22, 26}, 0.040F, -0.20F},   // their sides
+    {{46, -34, 72}, {20, 19, 30}, 0.046F, -0.20F}, // cheeks
+    {{60, -58, 46}, {17, 22, 26}, 0.040F, -0.20F}, // their sides
     {{30, -17, 82}, {18, 6, 20}, 0.004F, 0.08F},   // below the eyes
     {{31, 0, 82}, {18, 9, 18}, 0.018F, 0.10F},     // lids and sockets
     {{16, -3, 78}, {6, 9, 14}, 0.024F, 0.25F},     // inner corners
@@ -82,7 +82,7 @@ public:
         const Pigment pigment = pigment_at(p, place);
         const float lips = on_lips(p);
         const glm::vec3 skin =
-            lips > 0 ? glm::mix(colours_(pigment), lip_colours_(pigment), lips) : colours_(pigment);
+            lips > 0 ? glm::mix(colours_(pigment), lip_colours_(pigment), 0.85F * lips) : colours_(pigment);
         const float nostril =
             std::exp(-square((p.x - 7.2F) / 3.8F) - square((p.y + 50.0F) / 2.8F) - square((p.z - 99) / 8));
         const float parting = smooth_step(mouth_half_width + 1.5F, mouth_half_width - 4, p.x) *
