@@ -16,7 +16,7 @@ namespace {
 using renderer::scene::ImagePtr;
 
 /// Colour of single hairs, and their grey (linear Rec. 709).
-constexpr glm::vec3 brown_hair{0.012F, 0.007F, 0.005F}, grey_hair{0.30F, 0.28F, 0.26F};
+constexpr glm::vec3 brown_hair{0.012F, 0.007F, 0.005F}, grey_hair{0.30F, 0.25F, 0.20F};
 
 /// A patch with more blood than its surroundings (share of the dermis), and more melanin (relative to the
 /// person's own).
@@ -108,20 +108,22 @@ private:
             blood += weight * patch.blood;
             relative += weight * patch.melanin;
         }
-        // Mottle the skin, coarsely by its blood and finely by both; sun and years make melanin patchier.
+        // Mottle the skin, coarsely by its blood and finely by both; sun and years make melanin patchier, in
+        // dark skin by a smaller share.
         const float age = std::max(person_.age, 0.0F);
         const float coarse = noise_.octaves(place / 19.0F, 3), fine = noise_.octaves(place / 2.4F, 2);
         blood *= 1 + 0.5F * coarse + 0.22F * fine;
-        relative += 0.18F * (1 + age) * noise_.octaves(place / 17.0F + glm::vec3(50), 2) +
-                    0.08F * noise_(place / 1.1F);
-        relative += 0.12F * age + 2.4F * freckles(p, place) + 2.2F * age_spots(p, place);
+        const float share = smooth_step(0.4F, 0.03F, person_.melanin);
+        relative += share * (0.18F * (1 + age) * noise_.octaves(place / 17.0F + glm::vec3(50), 2) +
+                             0.08F * noise_(place / 1.1F) + 2.2F * age_spots(p, place));
+        relative += 0.12F * age + 2.4F * freckles(p, place);
         blood += 0.010F * age * vessels(p, place);
 
         const float lips = on_lips(p);
         if (lips > 0) {
             const float full = 0.14F - 0.05F * std::clamp(age, 0.0F, 1.0F);
             blood = glm::mix(blood, full * (1 + 0.25F * noise_(place * glm::vec3(0.7F, 0.15F, 0.3F))), lips);
-            relative = glm::mix(relative, 1.4F, lips);
+            relative = glm::mix(relative, 3 - 1.6F * share, lips);
         }
         return {person_.melanin * std::max(relative, 0.2F), std::max(blood, 0.004F)};
     }
