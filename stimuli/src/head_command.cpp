@@ -31,7 +31,7 @@ constexpr const char* footer = R"(DESCRIPTION
 SKIN
   Colour follows from melanin in the epidermis and blood in the dermis. --skin takes a Fitzpatrick type, or the share
   of the epidermis that is melanosomes, 0 to 0.5:
-    I 0.006   II 0.0175   III 0.033   IV 0.065   V 0.13   VI 0.27
+    I 0.006   II 0.0225   III 0.042   IV 0.08   V 0.16   VI 0.29
 
 AGE
   18 to 90. Lines on forehead, around eyes and mouth, on cheeks and neck; sagging; age spots; grey brows.
@@ -54,7 +54,7 @@ struct NamedSkin {
     double melanin;
 };
 constexpr std::array<NamedSkin, 6> skins{
-    {{"I", 0.0060}, {"II", 0.0175}, {"III", 0.033}, {"IV", 0.065}, {"V", 0.13}, {"VI", 0.27}}};
+    {{"I", 0.0060}, {"II", 0.0225}, {"III", 0.042}, {"IV", 0.08}, {"V", 0.16}, {"VI", 0.29}}};
 
 double melanin_of(const std::string& skin) {
     for (const NamedSkin& named : skins) {

@@ -3,6 +3,9 @@
 
 #include "head_surface.h"
 
+#include <array>
+#include <cstddef>
+
 #include <glm/gtc/constants.hpp>
 
 #include "head_landmarks.h"
@@ -12,9 +15,9 @@ namespace {
 
 // The ear's root is an ellipse on the side of the head. Its inner part is stretched over the ear's outer
 // face, the ring around that runs back from the rim to the head. All lengths in mm.
-constexpr float root_half_length = 17, root_half_height = 31;
-constexpr float rim_share = 0.60F;                         // of the root's radius
-constexpr float stand_off = 0.50F;                         // radians between the ear and the head
+constexpr float root_half_length = 19, root_half_height = 32;
+constexpr float rim_share = 0.76F;                         // of the root's radius
+constexpr float stand_off = 0.56F;                         // radians between the ear and the head
 constexpr float full_rim_thickness = 4, roll_share = 0.4F; // the rim rolls over in this part of the ring
 constexpr float ear_height = 62, ear_width = 35;
 
@@ -28,24 +31,47 @@ float outline(float back, float up) {
     return ellipse * (1 + 0.10F * fuller);
 }
 
+/// Height of a ridge along a line through places of the ear, 1 on it; its flanks are `width` wide.
+template <std::size_t count>
+float ridge(const std::array<glm::vec2, count>& line, glm::vec2 at, float width) {
+    float nearest = 10;
+    for (std::size_t k = 0; k + 1 < count; ++k) {
+        const glm::vec2 edge = line[k + 1] - line[k], rel = at - line[k];
+        const float t = std::clamp(glm::dot(rel, edge) / glm::dot(edge, edge), 0.0F, 1.0F);
+        nearest = std::min(nearest, glm::length(rel - edge * t));
+    }
+    return bell(nearest, width);
+}
+
+// The antihelix rises from above the lobe and forks; the helix begins in the bowl. Backwards and up, as
+// shares of the outline's reach.
+constexpr std::array<glm::vec2, 6> antihelix_line{
+    {{0.10F, -0.55F}, {0.36F, -0.42F}, {0.50F, -0.18F}, {0.48F, 0.12F}, {0.34F, 0.36F}, {0.16F, 0.66F}}};
+constexpr std::array<glm::vec2, 3> fork_line{{{0.36F, 0.34F}, {0.0F, 0.36F}, {-0.40F, 0.40F}}};
+constexpr std::array<glm::vec2, 3> crus_line{{{0.08F, 0.02F}, {-0.40F, 0.06F}, {-0.86F, 0.34F}}};
+
 /// Height of the outer face above the ear's plane: helix, antihelix, the bowl, tragus, lobe. `s` runs from 0
 /// at the centre to 1 at the rim.
 float relief(float s, float back, float up) {
-    const float lobe = smooth_step(-0.55F, -0.85F, up);
-    const float rolled = smooth_step(-0.75F, -0.35F, back + 0.5F * up) * (1 - lobe);
-    const float helix = 4.4F * rolled * bell(s - 0.93F, 0.13F);
-    const float gutter = -3.4F * rolled * bell(s - 0.70F, 0.11F);
-    const float antihelix = 4.2F * smooth_step(-0.1F, 0.5F, back) * (1 - lobe) * bell(s - 0.47F, 0.13F);
     const glm::vec2 at(s * back, s * up);
-    const float bowl = -9.0F * std::exp(-square((at.x + 0.12F) / 0.34F) - square((at.y + 0.16F) / 0.30F));
-    const float upper_hollow =
-        -2.0F * std::exp(-square((at.x - 0.05F) / 0.25F) - square((at.y - 0.50F) / 0.16F));
-    const float tragus = 3.2F * std::exp(-square((at.x + 0.78F) / 0.22F) - square((at.y + 0.12F) / 0.16F));
-    const float antitragus =
-        2.2F * std::exp(-square((at.x - 0.12F) / 0.24F) - square((at.y + 0.56F) / 0.11F));
-    const float crus = 1.8F * std::exp(-square((at.x + 0.42F) / 0.40F) - square((at.y - 0.10F) / 0.07F));
-    const float soft_lobe = 1.0F * lobe * bell(s - 0.75F, 0.25F);
-    return helix + gutter + antihelix + bowl + upper_hollow + tragus + antitragus + crus + soft_lobe;
+    const auto lump = [&](float x, float y, float wide, float high) {
+        return std::exp(-square((at.x - x) / wide) - square((at.y - y) / high));
+    };
+    const float lobe = smooth_step(-0.45F, -0.75F, at.y);
+    const float rolled =
+        smooth_step(-0.80F, -0.35F, back + 0.6F * up) * (1 - smooth_step(-0.35F, -0.75F, up));
+    const float helix = 3.4F * rolled * bell(s - 0.93F, 0.10F);
+    const float gutter = -2.6F * rolled * bell(s - 0.76F, 0.10F) * smooth_step(-0.2F, 0.3F, back + 0.5F * up);
+    const float antihelix = 3.9F * ridge(antihelix_line, at, 0.15F) + 2.0F * ridge(fork_line, at, 0.11F);
+    const float crus = 2.6F * ridge(crus_line, at, 0.10F);
+    const float bowl = -7.5F * lump(-0.08F, -0.20F, 0.36F, 0.26F) - 3.5F * lump(-0.05F, 0.19F, 0.34F, 0.11F);
+    const float canal = -3.0F * lump(-0.45F, -0.14F, 0.16F, 0.14F);
+    const float fossa = -2.2F * lump(-0.12F, 0.58F, 0.20F, 0.13F);
+    const float tragus = 4.2F * lump(-0.80F, -0.18F, 0.22F, 0.19F);
+    const float antitragus = 2.6F * lump(0.06F, -0.58F, 0.17F, 0.10F);
+    const float notch = -2.6F * lump(-0.32F, -0.52F, 0.14F, 0.12F);
+    const float soft_lobe = 1.4F * lobe * bell(s - 0.72F, 0.25F);
+    return helix + gutter + antihelix + crus + bowl + canal + fossa + tragus + antitragus + notch + soft_lobe;
 }
 
 } // namespace

@@ -17,25 +17,28 @@ struct Lump {
     float height_mm;
 };
 
-constexpr std::array<Lump, 18> lumps{{
+constexpr std::array<Lump, 21> lumps{{
     {{27, 50, 88}, {22, 18, 30}, 1.6F},       // frontal eminence
-    {{23, 18, 90}, {17, 8, 22}, 2.5F},        // brow ridge
-    {{43, 12, 77}, {10, 7, 16}, 1.6F},        // its outer end
-    {{32, 9.5F, 82}, {14, 6, 16}, 3.0F},      // soft tissue between brow and lid
-    {{66, 24, 45}, {16, 20, 24}, -3.5F},      // temple
-    {{18, -1, 84}, {8, 9, 20}, -4.3F},        // inner corner of the socket
-    {{36, -14, 80}, {15, 6, 18}, -0.8F},      // below the lower lid
-    {{50, -3, 66}, {7, 8, 16}, -1.0F},        // outer corner
-    {{45, -28, 74}, {17, 13, 24}, 5.5F},      // cheekbone
-    {{62, -20, 48}, {12, 10, 22}, 1.8F},      // its arch towards the ear
-    {{48, -52, 60}, {18, 18, 28}, 3.2F},      // fat of the cheek
-    {{0, -68, 92}, {21, 17, 22}, 3.8F},       // teeth carry the lips
-    {{31, -66, 78}, {8, 12, 16}, 1.6F},       // fullness beside the mouth
+    {{21, 20, 92}, {18, 9, 24}, 3.7F},        // brow ridge
+    {{0, 25, 95}, {13, 10, 20}, 0.9F},        // between the brows
+    {{43, 15, 78}, {12, 8, 18}, 4.2F},        // its outer end
+    {{33, 7, 82}, {13, 5, 16}, 2.2F},         // soft tissue between brow and lid
+    {{66, 28, 45}, {16, 20, 24}, -2.5F},      // temple
+    {{12, 3, 84}, {7.5F, 10, 20}, -6.0F},     // inner corner of the socket
+    {{31, -13, 80}, {16, 6.5F, 18}, -2.8F},   // below the lower lid
+    {{46, 0, 72}, {9, 8, 18}, -4.5F},         // outer corner
+    {{43, -24, 74}, {17, 14, 24}, 4.6F},      // cheekbone
+    {{60, -20, 48}, {12, 10, 22}, 2.4F},      // its arch towards the ear
+    {{49, -54, 60}, {20, 20, 30}, 5.4F},      // fat of the cheek
+    {{0, -66, 94}, {20, 20, 26}, 5.4F},       // teeth carry the lips
+    {{35, -63, 78}, {14, 19, 22}, 4.4F},      // fullness beside the mouth
+    {{24, -48, 84}, {9, 12, 18}, 1.4F},       // beside the nose's wing
+    {{9, 2, 86}, {4, 12, 20}, -1.5F},         // beside the nose's root
     {{0, -89.5F, 92}, {17, 4.5F, 18}, -3.4F}, // groove above the chin
-    {{0, -103, 88}, {15, 10, 20}, 5.5F},      // chin
+    {{0, -102, 90}, {17, 11, 22}, 7.0F},      // chin
     {{27, -101, 72}, {12, 9, 16}, -0.8F},     // beside the chin
     {{0, -7, 84}, {40, 16, 22}, -1.0F},       // middle of the face
-    {{49, -82, 12}, {16, 16, 22}, 2.0F},      // angle of the jaw
+    {{50, -82, 14}, {16, 16, 24}, 3.4F},      // angle of the jaw
 }};
 
 /// What fifty years, from 20 to 70, add.
@@ -62,21 +65,21 @@ float add_nose(float skin, glm::vec3 p) {
         return skin;
     }
     // Bone and cartilage of the bridge, wide flanks, the tip, and the septum down to the lip.
-    const float bridge = capsule(p, {0, 6, 83.5F}, {0, -33, 104.5F}, 4.7F, 6.9F);
-    const float flank = capsule(p, {4, 0, 79}, {9.3F, -38, 89}, 5.3F, 8.4F);
-    const float tip = glm::length((p - nose_tip) / glm::vec3(1.15F, 1, 1)) - 9.3F;
-    const float septum = capsule(p, {0, -44, 104}, {0, -51, 91}, 4.6F, 5.4F);
-    float nose = join(bridge, flank, 12);
-    nose = join(nose, tip, 12);
-    skin = join(skin, nose, 11);
+    const float bridge = capsule(p, {0, 6, 85.2F}, {0, -29, 105.0F}, 3.8F, 6.3F);
+    const float flank = capsule(p, {4, -4, 78}, {8.2F, -35, 91}, 3.6F, 7.6F);
+    const float tip = glm::length((p - nose_tip) / glm::vec3(1.06F, 1, 1)) - 8.0F;
+    const float septum = capsule(p, {0, -41, 105.0F}, {0, -47, 92}, 4.2F, 5.2F);
+    float nose = join(bridge, flank, 14);
+    nose = join(nose, tip, 13);
+    skin = join(skin, nose, 10);
     skin = join(skin, septum, 5);
 
     // The wings sit on the cheeks with a crease around them; the nostrils open below.
-    const float wing = capsule(p, {13.6F, -44.2F, 90}, {6.5F, -42.5F, 101}, 5.6F, 5.4F);
+    const float wing = capsule(p, {12.0F, -40.6F, 91.5F}, {6.5F, -39.5F, 101.5F}, 5.0F, 5.2F);
     skin += 1.1F * bell(wing - 0.6F, 1.9F) * smooth_step(102, 94, p.z);
     skin = join(skin, wing, 2.8F);
-    const float nostril = ellipsoid(p, {7.4F, -52.2F, 98.8F}, {3.9F, 5.4F, 6.4F});
-    return carve(skin, -nostril, 2.5F);
+    const float nostril = ellipsoid(p, {7.0F, -50.0F, 99.0F}, {3.6F, 6.0F, 6.2F});
+    return carve(skin, -nostril, 2.0F);
 }
 
 float add_eye(float skin, glm::vec3 p) {
@@ -84,7 +87,7 @@ float add_eye(float skin, glm::vec3 p) {
         return skin;
     }
     const float ball = glm::length(p - eye_centre) - eye_radius;
-    skin = join(skin, ball, 12);
+    skin = join(skin, ball, 9);
 
     // The upper lid ends in an edge on the lower one; a fold parts it from the brow, a faint one the lower
     // lid from the cheek.
@@ -94,7 +97,7 @@ float add_eye(float skin, glm::vec3 p) {
     const float lower_rim = bell(above + 2.2F, 1.6F);
     const float fold = bell(p.y - lid_fold_y(p.x), 1.7F);
     const float lower_fold = bell(above + 9 - 3 * square(s - 0.5F), 1.8F);
-    return skin - inside * (0.9F * upper_lid + 0.35F * lower_rim - 0.55F * fold - 0.25F * lower_fold);
+    return skin - inside * (0.9F * upper_lid + 0.3F * lower_rim - 0.25F * fold - 0.25F * lower_fold);
 }
 
 float add_mouth(float skin, glm::vec3 p) {
@@ -102,18 +105,18 @@ float add_mouth(float skin, glm::vec3 p) {
         return skin;
     }
     // Philtrum, between two ridges.
-    const float philtrum = smooth_step(-66, -61, p.y) * smooth_step(-50, -55, p.y);
+    const float philtrum = smooth_step(-66, -61, p.y) * smooth_step(-47, -52, p.y);
     skin += philtrum * (1.3F * bell(p.x, 3.2F) - 0.6F * bell(p.x - 6, 2.8F));
 
-    // Lips: each swells from its edge and turns in steeply towards the line between them.
+    // Lips: the upper swells to its edge and turns down from there, the lower is fullest in its middle.
     const float s = p.x / mouth_half_width;
-    const float full = std::pow(std::max(1 - s * s, 0.0F), 0.9F);
+    const float full = std::pow(std::max(1 - s * s, 0.0F), 1.1F);
     const float line = lip_line_y(p.x), top = lip_top_y(p.x), bottom = lip_bottom_y(p.x);
     const float up = std::clamp((p.y - line) / std::max(top - line, 1.0F), 0.0F, 2.0F);
     const float down = std::clamp((line - p.y) / std::max(line - bottom, 1.0F), 0.0F, 2.0F);
-    const float upper = smooth_step(1.2F, 0.45F, up) * (0.35F + 0.65F * smooth_step(0, 0.4F, up));
-    const float lower = smooth_step(1.5F, 0.45F, down) * (0.35F + 0.65F * smooth_step(0, 0.4F, down));
-    const float lips = p.y > line ? 3.8F * upper : 4.5F * lower;
+    const float upper = smooth_step(1.7F, 0.8F, up) * (0.15F + 0.85F * smooth_step(-0.1F, 0.85F, up));
+    const float lower = smooth_step(1.5F, 0.4F, down) * (0.2F + 0.8F * smooth_step(-0.05F, 0.5F, down));
+    const float lips = p.y > line ? 4.0F * upper : 4.2F * lower;
     skin -= full * lips;
 
     // The corners dip in, and the line between the lips runs into them.

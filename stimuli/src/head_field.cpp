@@ -23,15 +23,15 @@ struct Section {
 /// long.
 constexpr float top_y = 42, spacing_y = 20;
 constexpr std::array<Section, 9> sections{{
-    {76.0F, -14, 93.5F, -102, 2.25F}, // y = 42, the widest place of the skull
-    {75.2F, -9, 95.8F, -101, 2.3F},   // 22, brows
-    {72.0F, -1, 85.8F, -93.5F, 2.3F}, // 2, eyes
-    {69.5F, 6, 85.5F, -78, 2.15F},    // -18, cheekbones
-    {65.5F, 6, 88.5F, -62, 2.05F},    // -38, nose
-    {61.0F, 4, 92.0F, -47, 1.95F},    // -58, upper lip
-    {55.5F, 4, 90.5F, -34, 1.95F},    // -78, lower lip
-    {48.5F, 9, 90.5F, -22, 2.0F},     // -98, chin
-    {40.0F, 16, 86.0F, -10, 2.1F},    // -118
+    {76.0F, -24, 92.6F, -103, 1.95F},  // y = 42, the widest place of the skull
+    {75.2F, -20, 92.6F, -101, 1.95F},  // 22, brows
+    {72.0F, -11, 85.2F, -93.5F, 2.0F}, // 2, eyes
+    {68.8F, -2, 85.5F, -78, 2.08F},    // -18, cheekbones
+    {65.0F, 2, 88.5F, -62, 2.05F},     // -38, nose
+    {61.0F, 4, 93.5F, -47, 2.0F},      // -58, upper lip
+    {54.5F, 4, 93.0F, -34, 2.05F},     // -78, lower lip
+    {48.5F, 9, 92.5F, -22, 2.0F},      // -98, chin
+    {40.0F, 16, 88.0F, -10, 2.1F},     // -118
 }};
 
 /// The section at a height: a uniform cubic B-spline, level at the top, whose curvature has no jumps.
@@ -70,7 +70,7 @@ float skull(glm::vec3 p) {
 
     // The jaw's edge rises from the chin to the angle below the ear.
     constexpr float jaw_slope = 0.40F;
-    const float below = (chin_y - 2.0F - p.y + (80 - p.z) * jaw_slope) / std::sqrt(1 + jaw_slope * jaw_slope);
+    const float below = (chin_y - 0.6F - p.y + (80 - p.z) * jaw_slope) / std::sqrt(1 + jaw_slope * jaw_slope);
     return carve(body, below, 20);
 }
 
@@ -78,23 +78,23 @@ float skull(glm::vec3 p) {
 /// chest.
 float bust(glm::vec3 p) {
     const float axis_z = -21 + 0.25F * (p.y + 130);
-    const float neck = std::max((glm::length(glm::vec2(p.x / 56, (p.z - axis_z) / 57)) - 1) * 56, p.y + 15);
-    const float flare = std::pow(smooth_step(-85, -262, p.y), 1.3F);
+    const float neck = std::max((glm::length(glm::vec2(p.x / 55, (p.z - axis_z) / 57)) - 1) * 55, p.y + 15);
+    const float flare = std::pow(smooth_step(-100, -258, p.y), 1.4F);
     const float half_width = 40 + 170 * flare, thickness = 25 + 24 * smooth_step(-120, -240, p.y);
     const float ridge_z = -36 - 21 * smooth_step(-80, -200, p.y);
     const float half_depth = p.z > ridge_z ? 1.5F * thickness : thickness;
     const glm::vec2 section(p.x / half_width, (p.z - ridge_z) / half_depth);
     const float shoulders = carve((glm::length(section) - 1) * thickness, p.y + 60, 40);
-    const float sternomastoid = capsule(p, {55, -48, -22}, {11, -204, 20}, 9, 7);
-    const float larynx = capsule(p, {0, -138, 27}, {0, -190, 13}, 9, 11);
+    const float sternomastoid = capsule(p, {55, -48, -22}, {11, -204, 22}, 10, 7);
+    const float larynx = capsule(p, {0, -142, 31}, {0, -190, 14}, 8, 10);
     const float chest = ellipsoid(p, {0, -300, -42}, {185, 112, 76});
-    const float collar_bone = capsule(p, {15, -206, 18}, {140, -200, -28}, 5, 5);
+    const float collar_bone = capsule(p, {15, -206, 18}, {140, -200, -28}, 6, 5);
 
     float all = join(neck, shoulders, 30);
-    all = join(all, sternomastoid, 16);
-    all = join(all, larynx, 14);
+    all = join(all, sternomastoid, 11);
+    all = join(all, larynx, 11);
     all = join(all, chest, 50);
-    return join(all, collar_bone, 18);
+    return join(all, collar_bone, 13);
 }
 
 } // namespace
@@ -120,7 +120,8 @@ float ellipsoid(glm::vec3 place, glm::vec3 centre, glm::vec3 radii) {
 
 float field(const Person& person, glm::vec3 place_mm) {
     const glm::vec3 p = person.fold(place_mm);
-    const float body = join(skull(p), bust(p), 14);
+    const float below_chin = capsule(p, {0, -96, 54}, {0, -126, 20}, 10, 21);
+    const float body = join(join(skull(p), below_chin, 22), bust(p), 16);
     const float skin = p.z > -40 && p.y < 90 && p.y > -135 ? add_face(person, body, p) : body;
     constexpr float floor_y = -252;
     return carve(skin, floor_y - p.y, 12);

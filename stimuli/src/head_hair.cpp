@@ -75,21 +75,21 @@ void Hairs::add_brow(const Person& person, float side) {
     // below up.
     support::Generator generator(side < 0 ? "right brow" : "left brow", person.seed);
     const auto any = [&] { return static_cast<float>(generator.uniform()); };
-    const int count = static_cast<int>(720 * (1 - 0.3F * std::clamp(person.age - 0.6F, 0.0F, 1.0F)));
+    const int count = static_cast<int>(1500 * (1 - 0.3F * std::clamp(person.age - 0.6F, 0.0F, 1.0F)));
     for (int i = 0; i < count; ++i) {
-        const float s = std::pow(any(), 0.85F), across = any() + any() - 1;
-        const float half_height = glm::mix(6.4F, 2.6F, std::pow(s, 0.8F)) * smooth_step(-0.15F, 0.12F, s);
-        if (any() < 0.75F * smooth_step(0.7F, 1.05F, s)) {
+        const float s = std::pow(any(), 0.85F), across = any() + any() + any() - 1.5F;
+        const float half_height = glm::mix(6.2F, 3.4F, std::pow(s, 0.9F)) * smooth_step(-0.15F, 0.12F, s);
+        if (any() < 0.6F * smooth_step(0.75F, 1.1F, s)) {
             continue;
         }
         const float x = 9.5F + 47 * s;
         const glm::vec2 root(x, brow_y(x) + across * half_height - 0.8F);
         const float lean = across * (s < 0.2F ? 0.25F : 0.38F);
         const float angle = glm::mix(1.45F, 0.12F, std::pow(smooth_step(-0.1F, 0.6F, s), 0.6F)) - lean -
-                            0.25F * s + 0.45F * (any() - 0.5F);
+                            0.25F * s + 0.7F * (any() - 0.5F);
         const float length =
             glm::mix(4.0F, 6.5F, arch(std::min(s * 0.8F + 0.1F, 1.0F))) * (0.5F + 0.6F * any());
-        add({bent(root, angle, angle - 0.5F * (1 - s) - 0.15F, length), 0.045F + 0.045F * any()}, side);
+        add({bent(root, angle, angle - 0.5F * (1 - s) - 0.15F, length), 0.035F + 0.045F * any()}, side);
     }
 }
 

@@ -13,11 +13,11 @@
 namespace stimuli::head {
 
 constexpr float vertex_y = 116, chin_y = -116; ///< 232 mm apart, the eyes half way
-constexpr glm::vec3 eye_centre{31.8F, -1.5F, 70.6F};
+constexpr glm::vec3 eye_centre{30.4F, -1.4F, 69.0F};
 constexpr float eye_radius = 12.4F;
 constexpr float eye_inner_x = 16.5F, eye_outer_x = 46.0F;
-constexpr glm::vec3 nose_tip{0, -39.5F, 104.5F};
-constexpr float mouth_half_width = 25.5F;
+constexpr glm::vec3 nose_tip{0, -35.6F, 106.2F};
+constexpr float mouth_half_width = 24.5F;
 constexpr float ear_tilt = 0.20F; ///< the ear's long axis leans back, radians
 constexpr glm::vec3 ear_root{71, -17, -13};
 
@@ -53,14 +53,14 @@ inline float lid_fold_y(float x) {
 /// Height of the brow's middle: rising to an arch at two thirds, then falling.
 inline float brow_y(float x) {
     const float s = (x - 9) / 48;
-    return 16.0F + 7.0F * s + 2.2F * arch(s) - 5.5F * square(std::max(s - 0.55F, 0.0F) / 0.45F);
+    return 11.8F + 6.0F * s + 1.8F * arch(s) - 4.5F * square(std::max(s - 0.55F, 0.0F) / 0.45F);
 }
 
 /// Heights of the upper lip's edge (with Cupid's bow), of the line between the lips, and of the lower lip's
 /// edge.
 inline float lip_top_y(float x) {
     const float s = std::min(x / mouth_half_width, 1.0F);
-    return -64.2F - 6.8F * std::pow(s, 1.5F) + 1.5F * bell(x - 5.5F, 4.0F);
+    return -65.0F - 6.2F * std::pow(s, 1.3F) + 1.5F * bell(x - 5.5F, 4.0F);
 }
 inline float lip_line_y(float x) {
     const float s = std::min(x / mouth_half_width, 1.0F);
@@ -68,7 +68,7 @@ inline float lip_line_y(float x) {
 }
 inline float lip_bottom_y(float x) {
     const float s = std::min(x / mouth_half_width, 1.0F);
-    return -71.6F - 10.6F * std::pow(1 - s * s, 0.75F);
+    return -71.6F - 9.4F * std::pow(1 - s * s, 1.1F);
 }
 
 } // namespace stimuli::head

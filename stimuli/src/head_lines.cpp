@@ -42,8 +42,8 @@ float eye_mm(const Noise& noise, glm::vec3 p, glm::vec3 place) {
     const float side = place.x < 0 ? 4.5F : 2.5F, s = along_eye(p.x);
     const float lids =
         std::exp(-square((p.x - 32) / 16)) * smooth_step(-21, -9, p.y) * smooth_step(13, 6, p.y);
-    float depth = 0.050F * lids * valley(noise({p.x / 15, (p.y + 4.6F * arch(s)) / 1.7F, side + 5}), 0.13F);
-    depth += 0.045F * lids * valley(noise({p.x / 8 + 0.3F * p.y, p.y / 1.2F - 0.12F * p.x, side + 9}), 0.10F);
+    float depth = 0.025F * lids * valley(noise({p.x / 15, (p.y + 4.6F * arch(s)) / 1.7F, side + 5}), 0.13F);
+    depth += 0.025F * lids * valley(noise({p.x / 8 + 0.3F * p.y, p.y / 1.2F - 0.12F * p.x, side + 9}), 0.10F);
 
     const glm::vec2 from_corner(p.x - eye_outer_x + 5, p.y + 2.5F);
     const float reach = glm::length(from_corner), angle = std::atan2(from_corner.y, from_corner.x);
@@ -60,7 +60,7 @@ float mouth_mm(const Person& person, const Noise& noise, glm::vec3 p, glm::vec3 
     const float sway = 0.9F * noise(place / 12.0F);
     const float fold = p.x - (19.0F + 13.5F * t - 1.5F * arch(t)) + sway;
     const float folded = smooth_step(-0.05F, 0.25F, t) * smooth_step(1.1F, 0.6F, t);
-    float depth = 0.20F * folded * furrow(fold, 0.8F);
+    float depth = 0.09F * folded * furrow(fold, 0.8F);
 
     const float older = std::max(person.age - 0.5F, 0.0F);
     const float down = smooth_step(-72, -77, p.y) * smooth_step(-98, -84, p.y);
@@ -103,16 +103,16 @@ float lines_mm(const Person& person, const Noise& noise, glm::vec3 p, glm::vec3 
     const float present =
         smooth_step(-0.05F, 0.1F, s) * smooth_step(1.12F, 0.95F, s) * smooth_step(35, 45, p.z);
     depth +=
-        present * (0.10F * bell(p.y - lid_fold_y(p.x), 0.9F) + 0.45F * bell(p.y - lid_line_y(p.x), 0.4F));
+        present * (0.06F * bell(p.y - lid_fold_y(p.x), 0.9F) + 0.45F * bell(p.y - lid_line_y(p.x), 0.4F));
 
     // Lips are grooved from edge to edge and parted by a sharp line.
     const float lips = on_lips(p);
     if (lips > 0) {
         const float sideways = p.x * 0.62F + 0.3F * noise(place / 3.0F);
-        depth += 0.15F * lips * valley(noise({sideways, p.y * 0.09F, place.x < 0 ? 7.7F : 0.7F}), 0.16F);
-        depth += 0.05F * lips * valley(noise({2.1F * sideways, p.y * 0.2F, 5.2F}), 0.2F);
+        depth += 0.075F * lips * valley(noise({sideways, p.y * 0.09F, place.x < 0 ? 7.7F : 0.7F}), 0.16F);
+        depth += 0.035F * lips * valley(noise({2.1F * sideways, p.y * 0.2F, 5.2F}), 0.2F);
     }
-    depth += 0.4F * smooth_step(1.05F, 0.95F, p.x / mouth_half_width) * bell(p.y - lip_line_y(p.x), 0.45F) *
+    depth += 0.3F * smooth_step(1.05F, 0.8F, p.x / mouth_half_width) * bell(p.y - lip_line_y(p.x), 0.45F) *
              smooth_step(50, 60, p.z);
     return depth;
 }

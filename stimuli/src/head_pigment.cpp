@@ -79,7 +79,11 @@ double reflectance(const Pigment& pigment, double epidermis_mm, std::size_t band
     const double a = 1 + absorbed / scattered, b = std::sqrt(a * a - 1), depth = b * scattered * epidermis_mm;
     const double all = a * std::sinh(depth) + b * std::cosh(depth);
     const double above = std::sinh(depth) / all, through = b / all;
-    return above + through * through * below / (1 - above * below);
+    const double living = above + through * through * below / (1 - above * below);
+
+    // Above it lies the horny layer, a quarter as thick, which scatters alike and holds no melanin.
+    const double horny_depth = scattered * epidermis_mm / 4, horny = horny_depth / (1 + horny_depth);
+    return horny + (1 - horny) * (1 - horny) * living / (1 - horny * living);
 }
 
 constexpr int melanin_steps = 64, blood_steps = 48;

@@ -16,7 +16,7 @@ namespace {
 using renderer::scene::ImagePtr;
 
 /// Colour of single hairs, and their grey (linear Rec. 709).
-constexpr glm::vec3 brown_hair{0.030F, 0.016F, 0.010F}, grey_hair{0.30F, 0.28F, 0.26F};
+constexpr glm::vec3 brown_hair{0.012F, 0.007F, 0.005F}, grey_hair{0.30F, 0.25F, 0.20F};
 
 /// A patch with more blood than its surroundings (share of the dermis), and more melanin (relative to the
 /// person's own).
@@ -25,22 +25,22 @@ struct Patch {
     float blood, melanin;
 };
 
-constexpr float blood_everywhere = 0.017F;
+constexpr float blood_everywhere = 0.022F;
 constexpr std::array<Patch, 17> patches{{
-    {{0, -40, 110}, {13, 11, 18}, 0.055F, 0.05F},  // tip of the nose
-    {{13, -44, 95}, {7, 9, 12}, 0.055F, 0.10F},    // its wings
-    {{0, -12, 98}, {7, 16, 20}, -0.004F, 0.05F},   // its bridge
-    {{44, -36, 72}, {19, 17, 30}, 0.042F, -0.10F}, // cheeks
-    {{60, -52, 46}, {17, 20, 26}, 0.018F, 0.0F},   // their sides
-    {{30, -17, 82}, {18, 6, 20}, 0.004F, 0.22F},   // below the eyes
-    {{31, 0, 82}, {18, 9, 18}, 0.022F, 0.26F},     // lids and sockets
-    {{16, -3, 78}, {6, 9, 14}, 0.024F, 0.40F},     // inner corners
+    {{0, -36, 110}, {12, 11, 18}, 0.050F, -0.25F}, // tip of the nose
+    {{13, -42, 95}, {7, 8, 12}, 0.050F, 0.05F},    // its wings
+    {{0, 0, 98}, {8, 14, 20}, -0.013F, 0.05F},     // its bridge
+    {{46, -34, 72}, {20, 19, 30}, 0.046F, -0.20F}, // cheeks
+    {{60, -58, 46}, {17, 22, 26}, 0.040F, -0.20F}, // their sides
+    {{30, -17, 82}, {18, 6, 20}, 0.004F, 0.08F},   // below the eyes
+    {{31, 0, 82}, {18, 9, 18}, 0.018F, 0.10F},     // lids and sockets
+    {{16, -3, 78}, {6, 9, 14}, 0.024F, 0.25F},     // inner corners
     {{31, -6, 84}, {16, 3, 14}, 0.025F, 0.10F},    // the lids' edges
-    {{0, -104, 88}, {17, 12, 20}, 0.026F, 0.05F},  // chin
-    {{0, -58, 98}, {22, 7, 20}, 0.006F, 0.10F},    // above the lip
-    {{24, 52, 86}, {34, 22, 40}, -0.002F, 0.06F},  // forehead
+    {{0, -104, 88}, {16, 10, 20}, 0.030F, 0.0F},   // chin
+    {{24, -62, 90}, {12, 18, 20}, -0.012F, 0.15F}, // above the lip
+    {{24, 46, 86}, {26, 15, 40}, 0.010F, 0.0F},    // forehead
     {{6, 22, 98}, {12, 12, 20}, 0.016F, 0.0F},     // between the brows
-    {{66, 22, 40}, {14, 20, 26}, -0.008F, -0.05F}, // temples
+    {{62, 22, 40}, {16, 22, 26}, -0.012F, 0.0F},   // temples
     {{90, -17, -30}, {22, 40, 22}, 0.060F, 0.0F},  // ears
     {{28, -72, 84}, {6, 6, 14}, 0.020F, 0.20F},    // corners of the mouth
     {{0, -190, 20}, {60, 40, 60}, 0.012F, 0.10F},  // throat and chest
@@ -82,41 +82,48 @@ public:
         const Pigment pigment = pigment_at(p, place);
         const float lips = on_lips(p);
         const glm::vec3 skin =
-            lips > 0 ? glm::mix(colours_(pigment), lip_colours_(pigment), lips) : colours_(pigment);
+            lips > 0 ? glm::mix(colours_(pigment), lip_colours_(pigment), 0.85F * lips) : colours_(pigment);
         const float nostril =
-            std::exp(-square((p.x - 7.2F) / 3.8F) - square((p.y + 52.5F) / 2.6F) - square((p.z - 99) / 8));
+            std::exp(-square((p.x - 7.2F) / 3.8F) - square((p.y + 50.0F) / 2.8F) - square((p.z - 99) / 8));
         const float parting = smooth_step(mouth_half_width + 1.5F, mouth_half_width - 4, p.x) *
                               bell(p.y - lip_line_y(p.x), 0.7F) * smooth_step(50, 60, p.z);
         const float lid_edge = lid_seam(p);
-        const float shade = (1 - 0.8F * nostril) * (1 - 0.72F * parting) * (1 - 0.6F * lid_edge);
-        const glm::vec3 hair_colour = glm::mix(brown_hair, grey_hair, 0.75F * person_.grey);
+        const float shade = (1 - 0.8F * nostril) * (1 - 0.7F * parting) * (1 - 0.6F * lid_edge);
+        // Shaven hairs go on below the skin, where they take from the red light that comes back from the
+        // depth.
+        const glm::vec3 below =
+            glm::mix(glm::vec3(1), glm::vec3(0.75F, 0.82F, 0.88F),
+                     std::max(beard(p, place), 0.85F * scalp(p, place)) * (1 - 0.5F * person_.grey));
+        const glm::vec3 hair_colour = glm::mix(brown_hair, grey_hair, 0.5F * person_.grey);
         const float hair =
-            std::max(0.93F * hairs_.cover(p, place.x < 0 ? -1.0F : 1.0F, texel_mm), stubble(p, place));
-        return glm::mix(skin * shade, hair_colour, hair);
+            std::max(0.97F * hairs_.cover(p, place.x < 0 ? -1.0F : 1.0F, texel_mm), stubble(p, place));
+        return glm::mix(skin * below * shade, hair_colour, hair);
     }
 
 private:
     Pigment pigment_at(glm::vec3 p, glm::vec3 place) const {
-        float blood = blood_everywhere, relative = 1;
+        float blood = blood_everywhere, relative = 0.75F;
         for (const Patch& patch : patches) {
             const float weight = patch_weight(patch, p);
             blood += weight * patch.blood;
             relative += weight * patch.melanin;
         }
-        // Mottle the skin, coarsely by its blood and finely by both; sun and years make melanin patchier.
+        // Mottle the skin, coarsely by its blood and finely by both; sun and years make melanin patchier, in
+        // dark skin by a smaller share.
         const float age = std::max(person_.age, 0.0F);
         const float coarse = noise_.octaves(place / 19.0F, 3), fine = noise_.octaves(place / 2.4F, 2);
-        blood *= 1 + 0.38F * coarse + 0.20F * fine;
-        relative += 0.12F * (1 + age) * noise_.octaves(place / 14.0F + glm::vec3(50), 2) +
-                    0.08F * noise_(place / 1.1F);
-        relative += 0.12F * age + 2.4F * freckles(p, place) + 2.2F * age_spots(p, place);
+        blood *= 1 + 0.5F * coarse + 0.22F * fine;
+        const float share = smooth_step(0.4F, 0.03F, person_.melanin);
+        relative += share * (0.18F * (1 + age) * noise_.octaves(place / 17.0F + glm::vec3(50), 2) +
+                             0.08F * noise_(place / 1.1F) + 2.2F * age_spots(p, place));
+        relative += 0.12F * age + 2.4F * freckles(p, place);
         blood += 0.010F * age * vessels(p, place);
 
         const float lips = on_lips(p);
         if (lips > 0) {
-            const float full = 0.11F - 0.04F * std::clamp(age, 0.0F, 1.0F);
+            const float full = 0.14F - 0.05F * std::clamp(age, 0.0F, 1.0F);
             blood = glm::mix(blood, full * (1 + 0.25F * noise_(place * glm::vec3(0.7F, 0.15F, 0.3F))), lips);
-            relative = glm::mix(relative, 0.9F, lips);
+            relative = glm::mix(relative, 3 - 1.6F * share, lips);
         }
         return {person_.melanin * std::max(relative, 0.2F), std::max(blood, 0.004F)};
     }
@@ -150,21 +157,29 @@ private:
         return where < 0.03F ? 0 : where * bell(spots_(place / 3.1F + 0.4F * noise_(place / 1.4F)), 0.10F);
     }
 
-    /// Shaven hair, in fine dots, over 0 (none) to 1: the scalp, and a little beard.
-    float stubble(glm::vec3 p, glm::vec3 place) const {
+    /// Where the scalp's hair would grow, 0 to 1.
+    float scalp(glm::vec3 p, glm::vec3 place) const {
+        return 0.9F * smooth_step(-10, 12, p.y - hairline_y(p.z) + 5 * noise_(place / 9.0F));
+    }
+
+    /// Where the beard grows, 0 to 1.
+    float beard(glm::vec3 p, glm::vec3 place) const {
         const float ragged = 5 * noise_(place / 9.0F);
-        const float scalp = 0.8F * smooth_step(-9, 9, p.y - hairline_y(p.z) + ragged);
         const float jaw = smooth_step(
             -46, -70, p.y + 0.45F * std::max(p.x - 30, 0.0F) * smooth_step(60, 20, p.z) + 0.5F * ragged);
         const float front =
             smooth_step(-5, 25, p.z) * smooth_step(-150, -122, p.y) * smooth_step(106, 100, p.z);
-        const float beard = bearded_ * jaw * front * (1 - on_lips(p)) * smooth_step(-51, -56, p.y);
-        const float all = std::max(scalp, beard) * (1 - 0.5F * person_.grey);
+        return bearded_ * jaw * front * (1 - on_lips(p)) * smooth_step(-48, -53, p.y);
+    }
+
+    /// Shaven hair's ends, in fine dots.
+    float stubble(glm::vec3 p, glm::vec3 place) const {
+        const float all = std::max(scalp(p, place), beard(p, place)) * (1 - 0.5F * person_.grey);
         if (all <= 0) {
             return 0;
         }
         const float dots = smooth_step(0.28F, 0.55F, spots_(place / 0.7F));
-        return all * (0.10F + 0.55F * dots);
+        return all * (0.06F + 0.5F * dots);
     }
 
     float lid_seam(glm::vec3 p) const {
@@ -202,8 +217,9 @@ ImagePtr albedo_map(const Person& person, const Atlas& atlas) {
 
 ImagePtr roughness_map(const Person& person, const Atlas& atlas) {
     const Noise noise("head roughness", person.seed);
+    const Hairs hairs(person);
     return filled_map([&](int x, int y) -> Texel {
-        // Nose and forehead are oily, the lips moist, the rest dry, and drier with age.
+        // Nose and forehead are oily, the lips moist, the rest dry, and drier with age; hairs lie every way.
         const glm::vec3 place = atlas.place_mm(x, y), p = person.fold(place);
         const float nose = std::exp(-square(p.x / 18) - square((p.y + 32) / 22)) * smooth_step(70, 85, p.z);
         const float forehead =
@@ -213,8 +229,9 @@ ImagePtr roughness_map(const Person& person, const Atlas& atlas) {
         const float uneven = 0.05F * noise.octaves(place / 4.0F, 2) + 0.03F * noise(place / 0.7F);
         const float dry = 0.03F * std::clamp(person.age - 0.5F, -0.5F, 1.0F);
         const float roughness =
-            0.46F + dry - 0.10F * nose - 0.07F * forehead - 0.05F * cheek - 0.12F * on_lips(p) + uneven;
-        const float kept = std::clamp(roughness, 0.35F, 0.6F);
+            0.41F + dry - 0.12F * nose - 0.09F * forehead - 0.07F * cheek - 0.08F * on_lips(p) + uneven;
+        const float hair = hairs.cover(p, place.x < 0 ? -1.0F : 1.0F, atlas.texel_mm(x, y));
+        const float kept = std::clamp(glm::mix(roughness, 0.6F, hair), 0.25F, 0.6F);
         return {0, static_cast<std::uint8_t>(std::lround(kept * 255)), 0};
     });
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <numbers>
+#include <utility>
 
 #include <tbb/parallel_for.h>
 
@@ -17,7 +18,7 @@ namespace {
 
 using renderer::scene::Mesh;
 
-constexpr int columns = 216, rows = 138; // 59,184 triangles
+constexpr int columns = 228, rows = 131; // 59,280 triangles
 
 /// Where the rays of one row start on the head's axis, and how steeply they rise in front and behind. The
 /// rows fan out over the crown and below the chin, and lie nearly level elsewhere; no two rays meet before
@@ -28,14 +29,15 @@ struct RayRow {
     float front_rise_deg, back_rise_deg;
 };
 
-constexpr std::array<RayRow, 13> ray_rows{{
+constexpr std::array<RayRow, 14> ray_rows{{
     {0.000F, 44, -10, 90, 90},
     {0.055F, 43, -10, 48, 48},
     {0.100F, 40, -9, 20, 20},
     {0.160F, 30, -8, 4, 4},
     {0.330F, 3, -6, 0, 0},
-    {0.600F, -50, -4, -3, 0},
-    {0.750F, -66, -6, -20, -5},
+    {0.480F, -11, -5, -18, -8},
+    {0.600F, -25, -5, -23, -12},
+    {0.750F, -58, -6, -26, -8},
     {0.845F, -84, -12, -36, -8},
     {0.895F, -118, -24, -20, -6},
     {0.925F, -158, -34, -6, -3},
@@ -73,8 +75,8 @@ RayRow ray_row_at(float v) {
 /// How many columns a degree around the head deserves: many on the face, more at the ears, few behind.
 float column_density(float azimuth_deg) {
     const float side = std::abs(azimuth_deg);
-    return 0.15F + 1.07F * std::exp(-std::pow(side / 64, 4.0F)) + 0.2F * bell(side, 18) +
-           0.9F * bell(side - 95, 15);
+    return 0.15F + 1.07F * std::exp(-std::pow(side / 64, 4.0F)) + 0.45F * bell(side, 14) +
+           0.75F * bell(side - 62, 18) + 1.2F * bell(side - 96, 14);
 }
 
 /// Azimuths of the columns in radians, from -pi to pi, 0 in front.
@@ -160,10 +162,16 @@ glm::vec3 between(const Surface& surface, glm::vec2 ray) {
                     glm::mix(surface.at(i, j + 1), surface.at(i + 1, j + 1), right), down);
 }
 
+/// How hard the cells around a place pull together: harder on the nose, which would get too few of them.
+float tightness(glm::vec3 place_mm) {
+    const glm::vec3 rel = place_mm - glm::vec3(0, -34, 108);
+    return 1 + 1.5F * std::exp(-glm::dot(rel, rel) / square(22));
+}
+
 /// Slide the face's rays along the skin towards the middle of their neighbours, so that cells become squares
 /// of the map: a few steps down the energy whose least value a conformal map has. [PinkallPolthier1993]
 void spread_evenly(std::vector<glm::vec2>& rays, const Surface& surface, const std::vector<float>& azimuths) {
-    constexpr int steps = 90;
+    constexpr int steps = 450;
     constexpr float across = static_cast<float>(columns) / rows, down = 1 / across;
     std::vector<glm::vec3> places = surface.place_mm;
     for (int step = 0; step < steps; ++step) {
@@ -173,20 +181,21 @@ void spread_evenly(std::vector<glm::vec2>& rays, const Surface& surface, const s
             const float level = smooth_step(0.06F, 0.14F, v) * smooth_step(0.90F, 0.84F, v);
             for (int i = 1; i < columns; ++i) {
                 const float side = std::abs(azimuths[static_cast<std::size_t>(i)]);
-                // Below the nose rays graze what hangs over; there they stay as they are.
-                const glm::vec3& first = surface.at(i, j);
-                const float below_nose = smooth_step(75, 82, first.z) *
-                                         smooth_step(26, 17, std::abs(first.x)) *
-                                         smooth_step(-66, -59, first.y) * smooth_step(-36, -42, first.y);
-                const float free = 0.45F * level * smooth_step(1.25F, 1.0F, side) * (1 - below_nose);
+                const float free = 0.45F * level * smooth_step(1.56F, 1.28F, side);
                 if (free <= 0) {
                     continue;
                 }
                 const auto k = static_cast<std::size_t>(j * (columns + 1) + i),
                            row = std::size_t{columns + 1};
-                const glm::vec3 middle =
-                    (across * (places[k - 1] + places[k + 1]) + down * (places[k - row] + places[k + row])) /
-                    (2 * (across + down));
+                glm::vec3 middle(0);
+                float sum = 0;
+                for (const auto& [other, weight] :
+                     {std::pair{k - 1, across}, {k + 1, across}, {k - row, down}, {k + row, down}}) {
+                    const float tension = weight * (tightness(places[k]) + tightness(places[other]));
+                    middle += tension * places[other];
+                    sum += tension;
+                }
+                middle /= sum;
                 const glm::vec3 pull = middle - places[k];
                 const glm::vec3 right = between(surface, rays[k] + glm::vec2(0.5F, 0)) -
                                         between(surface, rays[k] - glm::vec2(0.5F, 0));
@@ -210,7 +219,7 @@ void spread_evenly(std::vector<glm::vec2>& rays, const Surface& surface, const s
 /// Move the ears' places towards the middle of their neighbours, a few times, so that the rims lose the steps
 /// that the grid's columns cut into them.
 void smooth_ears(Surface& surface, const std::vector<bool>& on_ear) {
-    constexpr int passes = 6;
+    constexpr int passes = 5;
     for (int pass = 0; pass < passes; ++pass) {
         const Surface before = surface;
         for (int j = 1; j < surface.rows; ++j) {

@@ -10,6 +10,7 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include <head_cache.h>
 #include <head_thickness.h>
 #include <renderer/scene/gltf.h>
 
@@ -26,6 +27,15 @@ using stimuli::HeadDetail;
 class HeadFileTest : public SmallSetTest {
 protected:
     fs::path file = folder / "head.glb";
+    /// The head's file, made once for all tests of it.
+    void SetUp() override {
+        SmallSetTest::SetUp();
+        static const std::vector<std::uint8_t> written = [&] {
+            stimuli::write_head(head(), file);
+            return support::read_bytes(file);
+        }();
+        support::write_atomically(file, std::string(written.begin(), written.end()));
+    }
     std::vector<unsigned char> picture(const std::optional<fs::path>& model) const {
         stimuli::SetRequest request;
         request.protocol_file = protocol_file;
@@ -41,7 +51,6 @@ protected:
 };
 
 TEST_F(HeadFileTest, holdsTheHeadWithAllItsMaps) {
-    stimuli::write_head(head(), file);
     const Model loaded = renderer::scene::load_gltf(file);
     ASSERT_EQ(loaded.meshes.size(), 1U);
     EXPECT_EQ(loaded.meshes.front().indices, mesh().indices);
@@ -62,7 +71,6 @@ TEST_F(HeadFileTest, holdsTheHeadWithAllItsMaps) {
 }
 
 TEST_F(HeadFileTest, isInMetresAndSaysHowThickTheFleshIs) {
-    stimuli::write_head(head(), file);
     const std::vector<std::uint8_t> bytes = support::read_bytes(file);
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     ASSERT_EQ(text.substr(0, 4), "glTF");
@@ -76,7 +84,6 @@ TEST_F(HeadFileTest, isInMetresAndSaysHowThickTheFleshIs) {
 }
 
 TEST_F(HeadFileTest, showsThePictureOfTheBuiltInHead) {
-    stimuli::write_head(head(), file);
     const auto built_in = picture(std::nullopt), loaded = picture(file);
     int most = 0, brightest = 0;
     for (std::size_t i = 0; i < built_in.size(); ++i) {
@@ -167,25 +174,28 @@ TEST(HeadThicknessTest, isThinAtTheEars) {
     EXPECT_GT(skull, 30);
 }
 
-TEST_F(HeadFileTest, isMadeAgainWhereTheKeptOneIsBroken) {
+TEST_F(HeadFileTest, isNotTakenFromABrokenCache) {
     const char* before = std::getenv("XDG_CACHE_HOME");
     const std::string kept_before = before ? before : "";
     ::setenv("XDG_CACHE_HOME", folder.c_str(), 1);
-    const Model made = stimuli::builtin_head(); // made and kept
-    std::vector<fs::path> kept;
+    const auto absent = stimuli::head::read_cached({});
+    stimuli::head::write_cached({}, head());
+    const auto kept = stimuli::head::read_cached({});
+    stimuli::HeadSettings settings;
+    settings.age_years = 46;
+    const auto older = stimuli::head::read_cached(settings);
     for (const auto& entry : fs::directory_iterator(folder / "skin2afc")) {
-        kept.push_back(entry.path());
+        std::string content = support::read_text(entry.path());
+        content[content.size() / 2] = static_cast<char>(content[content.size() / 2] + 1);
+        support::write_atomically(entry.path(), content);
     }
-    EXPECT_EQ(kept.size(), 1U);
-    const Model read = stimuli::builtin_head();
-    std::string content = support::read_text(kept.front());
-    content[content.size() / 2] = static_cast<char>(content[content.size() / 2] + 1);
-    support::write_atomically(kept.front(), content);
-    const Model mended = stimuli::builtin_head();
+    const auto broken = stimuli::head::read_cached({});
     before ? ::setenv("XDG_CACHE_HOME", kept_before.c_str(), 1) : ::unsetenv("XDG_CACHE_HOME");
-    EXPECT_EQ(made.digest, head().digest);
-    EXPECT_EQ(read.digest, made.digest);
-    EXPECT_EQ(mended.digest, made.digest);
+    EXPECT_FALSE(absent);
+    ASSERT_TRUE(kept);
+    EXPECT_EQ(kept->digest, head().digest);
+    EXPECT_FALSE(older) << "another's head";
+    EXPECT_FALSE(broken);
 }
 
 TEST(HeadPersonTest, agesAndDarkens) {

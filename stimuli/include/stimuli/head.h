@@ -14,7 +14,7 @@ namespace stimuli {
 struct HeadSettings {
     std::uint64_t seed = 0;  ///< which person: proportions, asymmetry, pores, freckles
     double age_years = 45;   ///< 18 to 90: wrinkles, sagging, spots, grey brows
-    double melanin = 0.0175; ///< share of the epidermis that is melanosomes, 0 to 0.5
+    double melanin = 0.0225; ///< share of the epidermis that is melanosomes, 0 to 0.5
 };
 
 /// How many of the triangles are kept.
