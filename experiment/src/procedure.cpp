@@ -144,12 +144,32 @@ private:
                 return;
             } catch (const std::runtime_error& failure) {
                 events_.push_back({stage_.now_s() - start_s_, at, failure.what()});
-                if (!stage_.tell_trouble(failure.what())) {
-                    events_.push_back(
-                        {stage_.now_s() - start_s_, at, "an answer was not saved: " + log_row(at, answer)});
+                bool tries_again = false;
+                try {
+                    tries_again = stage_.tell_trouble(failure.what());
+                } catch (const Interrupted&) {
+                    save_at_last(answer, at);
+                    throw;
+                }
+                if (!tries_again) {
+                    save_at_last(answer, at);
                     throw;
                 }
             }
+        }
+    }
+
+    /// The session ends: try once more, and print an answer that finds no place.
+    void save_at_last(const Answer& answer, std::size_t at) {
+        try {
+            log_.restore();
+            log_.append(answer);
+        } catch (const std::runtime_error&) {
+            std::string row = log_row(at, answer);
+            replace_all(row, "\t", " ");
+            row.pop_back(); // the line's end
+            events_.push_back({stage_.now_s() - start_s_, at, "an answer was not saved: " + row});
+            fmt::print(stderr, "skin2afc: note: an answer was not saved: {}\n", row);
         }
     }
 

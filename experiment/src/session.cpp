@@ -3,6 +3,8 @@
 
 #include "session.h"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -27,6 +29,7 @@
 #include "simulated_stage.h"
 #include "start_page.h"
 #include "stimulus_set.h"
+#include "window/pacing.h"
 #include "window/window_stage.h"
 
 namespace experiment {
@@ -61,9 +64,14 @@ std::optional<FolderLock> lock_participant(const SessionOptions& options) {
     return lock;
 }
 
+/// What a table of frames calls a run.
+std::string run_name(const SessionOptions& options, const SessionPlan& plan) {
+    return fmt::format("sub-{}_run-{:02d}", options.participant, plan.run);
+}
+
 /// Remark on a disk that has hardly room for a study.
 void note_little_room(const fs::path& study, SessionPlan& plan) {
-    constexpr std::uintmax_t little = std::uintmax_t{16} << 20; // bytes
+    constexpr std::uintmax_t little = std::uintmax_t{128} << 20; // bytes
     std::error_code unknown;
     const auto space = fs::space(support::existing_part(study), unknown);
     if (!unknown && space.available < little) {
@@ -94,7 +102,7 @@ Preparation prepare(const SessionOptions& options) {
                                            options.protocol.string()));
     }
     if (options.frames) {
-        FrameTable::check(*options.frames, plan.resumes());
+        FrameTable::check(*options.frames, plan.resumes(), run_name(options, plan));
     }
     return {std::move(protocol), std::move(observer), std::move(stimuli),
             std::move(study),    std::move(lock),     std::move(plan)};
@@ -106,6 +114,8 @@ void write_with_retries(Stage& stage, Write write) {
     while (true) {
         try {
             return write();
+        } catch (const Interrupted&) {
+            throw;
         } catch (const std::runtime_error& error) {
             if (!stage.tell_trouble(error.what())) {
                 throw;
@@ -161,17 +171,39 @@ struct Files {
 };
 
 /// Where this fails, nothing is lost: the events are made from the log.
-void keep_events(const SessionOptions& options, const Preparation& ready, const SessionLog& log) {
+void keep_events(const SessionLog& log, const KeptStimuli& kept) {
     try {
-        write_events(log, options.study, ready.stimuli);
+        write_events(log, kept);
     } catch (const std::runtime_error& error) {
         fmt::print(stderr, "skin2afc: note: {}\n", support::one_line(error.what()));
     }
 }
 
+/// Say how exact a session before a screen was, and warn where that is not enough.
+void tell_timing(const StageFacts& facts, const Timing& timing) {
+    constexpr double acceptable_s = 2e-3, ms = 1000; // as the timing test has it
+    if (facts.observer || timing.grey_error_s.empty()) {
+        return;
+    }
+    std::vector<double> sizes_s;
+    for (const double error_s : timing.grey_error_s) {
+        sizes_s.push_back(std::abs(error_s));
+    }
+    const double worst_s = *std::max_element(sizes_s.begin(), sizes_s.end());
+    fmt::print("the grey was off by {:.2f} ms (median), {:.2f} ms (worst); dropped frames: {}\n",
+               ms * median(sizes_s), ms * worst_s,
+               facts.dropped_frames ? std::to_string(*facts.dropped_frames) : "n/a");
+    if (worst_s > acceptable_s || facts.dropped_frames.value_or(0) > 0) {
+        fmt::print(
+            stderr,
+            "skin2afc: warning: the timing was not acceptable throughout; the sidecar has each trial's, "
+            "and --timing-test tests the display\n");
+    }
+}
+
 /// Run the trials and record in the sidecar how they ended.
-void run_to_the_end(const SessionOptions& options, const Preparation& ready, Stage& stage, const Files& files,
-                    FrameTable& frames) {
+void run_to_the_end(const Preparation& ready, Stage& stage, const Files& files, FrameTable& frames,
+                    const KeptStimuli& kept) {
     const study::SessionSettings& session = ready.protocol.session;
     const Schedule& schedule = ready.plan.schedule;
     Timing timing;
@@ -187,16 +219,17 @@ void run_to_the_end(const SessionOptions& options, const Preparation& ready, Sta
         .timing = &timing};
     try {
         run_trials(setting, stage, files.log);
+        keep_events(files.log, kept); // before the sidecar calls the run complete
         files.sidecar.finish(files.log.answers(), "all trials answered", stage, timing);
         files.keep(stage);
     } catch (const std::runtime_error& error) {
         const std::string reason = support::one_line(error.what());
         files.sidecar.finish(files.log.answers(), reason, stage, timing);
         const std::string saved = files.close(reason, schedule.size());
-        keep_events(options, ready, files.log);
+        keep_events(files.log, kept);
         throw support::Failure(saved);
     }
-    keep_events(options, ready, files.log);
+    tell_timing(stage.facts(), timing);
     try {
         run_end_page(session, schedule, stage);
     } catch (const Interrupted&) {
@@ -227,21 +260,23 @@ Said run_forms(const SessionOptions& options, const Preparation& ready, Stage& s
     return said;
 }
 
-/// Write what belongs to the study, as far as it is not there yet.
-void prepare_study(const SessionOptions& options, const Preparation& ready, const Answers& answers) {
+/// Write what belongs to the study, as far as it is not there yet; the copies of the stimuli that it has.
+KeptStimuli prepare_study(const SessionOptions& options, const Preparation& ready, const Answers& answers) {
     ready.study.prepare(ready.protocol.title, options.participant);
     support::remove_leftovers(
         log_path(options.study, options.participant, ready.plan.run).parent_path()); // locked
-    try {
-        ready.study.keep_contact_sheet(ready.stimuli.folder() / "contact_sheet.png");
-        ready.study.keep_stimuli(ready.stimuli);
-    } catch (const std::runtime_error& error) {
-        // No session waits for pictures that can be copied later.
-        fmt::print(stderr, "skin2afc: note: {}\n", support::one_line(error.what()));
-    }
     if (!answers.empty()) {
         save_answers(options.study, options.participant, ready.protocol.session.questions, answers);
     }
+    // No session waits for pictures that can be copied later.
+    KeptStimuli kept;
+    try {
+        kept = ready.study.keep_stimuli(ready.stimuli);
+        ready.study.keep_contact_sheet(ready.stimuli.folder() / "contact_sheet.png");
+    } catch (const std::runtime_error& error) {
+        fmt::print(stderr, "skin2afc: note: {}\n", support::one_line(error.what()));
+    }
+    return kept;
 }
 
 void run_on(const SessionOptions& options, const Preparation& ready, Stage& stage, FrameTable& frames) {
@@ -257,7 +292,8 @@ void run_on(const SessionOptions& options, const Preparation& ready, Stage& stag
     }
 
     // Open the files before the first picture.
-    write_with_retries(stage, [&] { prepare_study(options, ready, said.answers); });
+    KeptStimuli kept;
+    write_with_retries(stage, [&] { kept = prepare_study(options, ready, said.answers); });
     std::optional<StudyCopy> copy;
     write_with_retries(stage, [&] { copy.emplace(options.study); });
     std::optional<SessionLog> log;
@@ -269,12 +305,12 @@ void run_on(const SessionOptions& options, const Preparation& ready, Stage& stag
     }
     const Files files{*log, sidecar, [&] {
                           copy->restore();
-                          prepare_study(options, ready, said.answers);
+                          kept = prepare_study(options, ready, said.answers);
                       }};
     // A torn line is taken off the log when the sidecar has it.
     write_with_retries(stage, [&] { sidecar.write(); });
     write_with_retries(stage, [&] { log->settle(); });
-    run_to_the_end(options, ready, stage, files, frames);
+    run_to_the_end(ready, stage, files, frames, kept);
     fmt::print("{}: {} of {} trials\n", log->path().string(), log->answers(), ready.plan.schedule.size());
 }
 
@@ -307,7 +343,7 @@ void run_session(const SessionOptions& options) {
         throw support::failure("{} before the first trial; nothing was written", reason.what());
     }
     const auto parts = ready.plan.resumes() ? ready.plan.sidecar["Parts"].size() : 0;
-    FrameTable frames(options.frames, *stage, parts + 1);
+    FrameTable frames(options.frames, *stage, run_name(options, ready.plan), parts + 1);
     run_on(options, ready, *stage, frames);
 }
 

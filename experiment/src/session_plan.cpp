@@ -115,7 +115,9 @@ void resume(SessionPlan& plan, const SessionOptions& options, const study::Proto
             const RunIdentity& identity, const fs::path& sidecar, const fs::path& log) {
     check_same(plan.sidecar, sidecar, "ProtocolDigest", protocol.digest, "the protocol");
     check_same(plan.sidecar, sidecar, "StimuliManifestDigest", identity.manifest_digest, "the stimuli");
-    check_same(plan.sidecar, sidecar, "ObserverDigest", identity.observer_digest, "the observer");
+    if (plan.sidecar.contains("ObserverDigest") || identity.observer_digest != "n/a") {
+        check_same(plan.sidecar, sidecar, "ObserverDigest", identity.observer_digest, "the observer");
+    }
     if (options.seed) {
         check_same(plan.sidecar, sidecar, "Seed", *options.seed, "the seed");
     }

@@ -179,6 +179,7 @@ StimulusSet::StimulusSet(fs::path folder, const std::vector<Stimulus>& needed, i
         check_digest(file, entry->second.sha256);
         check_header(file, width, height);
         files_.emplace(stimulus, file);
+        digests_.emplace(stimulus, entry->second.sha256);
     }
 }
 

@@ -26,6 +26,8 @@ public:
     /// The file of a picture that was needed.
     const fs::path& file_of(const Stimulus& stimulus) const { return files_.at(stimulus); }
     const std::map<Stimulus, fs::path>& files() const { return files_; }
+    /// SHA-256 of a picture that was needed.
+    const std::string& digest_of(const Stimulus& stimulus) const { return digests_.at(stimulus); }
     /// SHA-256 of the manifest, which names every picture's own.
     const std::string& manifest_digest() const { return manifest_digest_; }
 
@@ -35,6 +37,7 @@ public:
 private:
     fs::path folder_;
     std::map<Stimulus, fs::path> files_;
+    std::map<Stimulus, std::string> digests_;
     std::string manifest_digest_, protocol_digest_;
 };
 

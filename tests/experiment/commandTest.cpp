@@ -101,7 +101,7 @@ TEST_F(SessionCommandTest, refusesWrongLabels) {
 
 TEST_F(SessionCommandTest, refusesHalfASetOfStimuli) {
     std::filesystem::remove(folder_ / "stimuli/ts_near_000.png");
-    expect_refused(run("01"), "ts_near_000.png: no such file");
+    expect_refused(run("01"), "ts_near_000.png: expected the picture of the manifest, found no such file");
     std::filesystem::remove(folder_ / "stimuli/manifest.json");
     expect_refused(run("01"), "manifest.json: no such file");
 }

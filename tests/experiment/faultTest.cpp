@@ -95,6 +95,38 @@ TEST_F(FaultTest, saysThatTheSidecarFindsNoRoomAndGoesOn) {
     ::umount2(study().c_str(), MNT_DETACH);
 }
 
+TEST_F(FaultTest, savesTheAnswerThatWaitsWhenTheExperimenterEndsTheSession) {
+    start("[0, 60]", 0.1);
+    leave_instructions();
+    run_trial(0, "1");
+    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    const std::string before = fixture::read(log());
+    fixture::append(log(), "x"); // another program's, which the session does not touch
+    run_trial(1, "2");
+    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    fs::resize_file(log(), before.size());
+    VirtualScreen::key("ctrl+shift+q");
+    EXPECT_EQ(finish().exit_code, 1);
+    ASSERT_EQ(fixture::read_log(log()).size(), 2U);
+    EXPECT_EQ(fixture::read_log(log())[1].at("response"), "2");
+}
+
+TEST_F(FaultTest, printsAnAnswerThatFindsNoPlace) {
+    start("[0, 60]", 0.1);
+    leave_instructions();
+    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    fixture::append(log(), "x");
+    run_trial(0, "2");
+    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    VirtualScreen::key("ctrl+shift+q");
+    const auto outcome = finish();
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_NE(outcome.err.find("an answer was not saved: 1 "), std::string::npos) << outcome.err;
+    EXPECT_NE(fixture::read(sidecar()).find("an answer was not saved: 1 "), std::string::npos);
+}
+
 TEST_F(FaultTest, showsATrialAgainWhenTheMonitorWasUnplugged) {
     // A library stands in for the cable, see refreshing_display.cpp.
     const fs::path cable = folder_ / "cable";

@@ -33,6 +33,7 @@ private:
 };
 
 void write(const fs::path& path, const std::string& text);
+void append(const fs::path& path, const std::string& text);
 std::string read(const fs::path& path);
 std::vector<std::string> lines_of(const fs::path& path);
 /// Every file below a folder, relative to it, sorted; empty where there is no folder.

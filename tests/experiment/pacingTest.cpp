@@ -58,6 +58,38 @@ TEST(FrameTest, areDroppedFrom1Point2Periods) {
     EXPECT_EQ(missed_frames(0.3 / 60, 1, 60), 0); // a key pressed shortly before the refresh
 }
 
+TEST(RefreshTest, hasTheRateOfManySwapsMoreExactlyThanOfTheirEnds) {
+    // 120 swaps at 59.94 Hz, each noticed up to a millisecond late, and one refresh missed.
+    constexpr double hz = 59.94;
+    std::vector<double> times_s;
+    for (int i = 0; i <= 120; ++i) {
+        const int refresh = i < 70 ? i : i + 1;
+        times_s.push_back(5 + refresh / hz + (i % 7 == 0 ? 1e-3 : 0.0));
+    }
+    // Over two seconds a rate off by 0.01 Hz is a third of a millisecond.
+    EXPECT_NEAR(experiment::rate_of(times_s, 60.2), hz, 0.01);
+}
+
+TEST(FrameTest, areMissedOnlyWhereNoSwapCameForThem) {
+    constexpr double hz = 100;
+    const auto missed = [&](std::vector<double> periods) {
+        for (double& time : periods) {
+            time /= hz;
+        }
+        return experiment::missed_refreshes(periods, hz);
+    };
+    EXPECT_EQ(missed({0, 1, 2, 3}), (std::vector{0, 0, 0}));
+    EXPECT_EQ(missed({0, 1, 3, 4}), (std::vector{0, 1, 0}));
+    EXPECT_EQ(missed({0, 1, 2, 5}), (std::vector{0, 0, 2}));
+    // Noticed late; the next ones make up for it.
+    EXPECT_EQ(missed({0, 1.64, 2.6, 3}), (std::vector{0, 0, 0}));
+    // Late, and one truly missed, wherever that was.
+    const auto late = missed({0, 1.64, 2.6, 4});
+    EXPECT_EQ(std::accumulate(late.begin(), late.end(), 0), 1);
+    // Swaps that do not wait miss nothing.
+    EXPECT_EQ(missed({0, 0.01, 0.02, 1}), (std::vector{0, 0, 0}));
+}
+
 TEST(ClockTest, neverWakesBeforeTheDeadline) {
     for (int i = 0; i < 20; ++i) {
         const double deadline_s = monotonic_s() + 0.0005 * i;

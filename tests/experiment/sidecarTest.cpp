@@ -84,7 +84,7 @@ TEST_F(SidecarTest, tellsOneScreenFromAnother) {
 
 // What a kill leaves is what was written before it.
 TEST_F(SidecarTest, hasFramesOnFileBeforeTheSessionEnds) {
-    FrameTable frames(folder_ / "frames.tsv", stage_, 2);
+    FrameTable frames(folder_ / "frames.tsv", stage_, "sub-01_run-01", 2);
     frames.write();
     ASSERT_EQ(fixture::read_log(folder_ / "frames.tsv").size(), 3U);
     stage_.shown.push_back({.trial = 2, .picture = "grey"});

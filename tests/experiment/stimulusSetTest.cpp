@@ -81,7 +81,8 @@ TEST_F(StimulusSetTest, refusesATruncatedManifest) {
 
 TEST_F(StimulusSetTest, refusesHalfASet) {
     std::filesystem::remove(set_ / "no_sss_near_000.png");
-    EXPECT_TRUE(contains(error(), "no_sss_near_000.png: no such file"));
+    EXPECT_TRUE(
+        contains(error(), "no_sss_near_000.png: expected the picture of the manifest, found no such file"));
     EXPECT_TRUE(contains(error_with([](json& m) { m["images"].erase(0); }), "no_sss_near_000"));
     EXPECT_TRUE(contains(error_with([](json& m) { m["images"] = json::array(); }), "found only 0 others"));
 }

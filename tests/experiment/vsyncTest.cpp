@@ -24,12 +24,15 @@ protected:
         ::unsetenv("LD_PRELOAD");
         ::unsetenv("SKIN2AFC_TEST_HZ");
         ::unsetenv("SKIN2AFC_TEST_DROPS");
+        ::unsetenv("SKIN2AFC_TEST_CHANGED");
+        ::unsetenv("SKIN2AFC_TEST_OTHER_HZ");
     }
     /// Run a session that is found to be paced by the refresh; a busy machine may take more than one.
     void run_session() {
         for (int attempt = 0; attempt < 4 && facts_.value("Pacing", "") != "vsync"; ++attempt) {
             std::filesystem::remove_all(study());
             std::filesystem::remove(frames_file());
+            std::filesystem::remove(folder_ / "changed");
             run_once();
             if (HasFatalFailure()) {
                 return;
@@ -38,17 +41,28 @@ protected:
         ASSERT_EQ(facts_["Pacing"], "vsync") << facts_.dump(1);
         frames_ = fixture::read_log(frames_file());
     }
+    bool still_runs() const {
+        siginfo_t ended{};
+        return ::waitid(P_PID, static_cast<id_t>(program_), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+               ended.si_pid == 0;
+    }
     void run_once() {
         ::setenv("LD_PRELOAD", SKIN2AFC_REFRESHING_DISPLAY, 1);
         start("[0]", grey_s, {"--frames", frames_file().string()});
         ::unsetenv("LD_PRELOAD"); // for the session alone
         leave_instructions();
-        for (std::size_t trial = 0; trial < 2; ++trial) {
-            run_trial(trial, "1");
+        run_trial(0, "1");
+        if (changes_) {
+            fixture::write(folder_ / "changed", "");
         }
+        run_trial(1, "1");
         ASSERT_TRUE(screen_.becomes(1, 1, fixture::page_ground));
-        std::this_thread::sleep_for(std::chrono::milliseconds(500));
-        VirtualScreen::key("space");
+        // A display that is measured anew shows the page's ground before the page.
+        for (int press = 0; press < 40 && still_runs(); ++press) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(500));
+            VirtualScreen::key("space");
+        }
+        ASSERT_FALSE(still_runs());
         const auto outcome = finish();
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
         facts_ = nlohmann::json::parse(fixture::read(sidecar()));
@@ -75,6 +89,14 @@ protected:
         return grey;
     }
 
+    /// After the first trial the display has another rate; 0: swaps wait for nothing.
+    void let_change(const char* other_hz) {
+        changes_ = true;
+        ::setenv("SKIN2AFC_TEST_CHANGED", (folder_ / "changed").c_str(), 1);
+        ::setenv("SKIN2AFC_TEST_OTHER_HZ", other_hz, 1);
+    }
+
+    bool changes_ = false;
     nlohmann::json facts_ = nlohmann::json::object();
     std::vector<fixture::Row> frames_;
 };
@@ -120,6 +142,18 @@ TEST_F(VsyncTest, countsDroppedFramesAndEndsTheGreyInTime) {
     }
     EXPECT_GE(facts_["DroppedFrames"], dropped);
     EXPECT_GE(facts_["Parts"][0]["Trials"][0]["DroppedFrames"], 1);
+}
+
+TEST_F(VsyncTest, keepsTheGreysLengthWhereSwapsNoLongerWait) {
+    for (const char* rate : {"0", "120"}) {
+        let_change(rate);
+        facts_ = nlohmann::json::object();
+        run_session();
+        ASSERT_FALSE(HasFatalFailure());
+        // Half a period of the refresh that was there, which the last swap was asked for early.
+        EXPECT_NEAR(grey_of("2").refreshes(), grey_frames, 0.75) << rate;
+        EXPECT_NE(facts_["Events"].dump().find("swaps no longer wait"), std::string::npos) << rate;
+    }
 }
 
 } // namespace

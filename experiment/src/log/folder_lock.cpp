@@ -14,6 +14,8 @@
 #include <support/error.h>
 #include <support/file.h>
 
+#include "../interruption.h"
+
 namespace experiment {
 namespace {
 
@@ -32,9 +34,7 @@ bool lock(int fd, int how, const fs::path& folder) {
         result = ::flock(fd, how);
     } while (result != 0 && errno == EINTR);
     if (result != 0 && errno != EWOULDBLOCK) {
-        const int error = errno;
-        ::close(fd);
-        throw support::failure("{}: cannot be locked: {}", folder.string(), std::strerror(error));
+        throw support::failure("{}: cannot be locked: {}", folder.string(), std::strerror(errno));
     }
     return result == 0;
 }
@@ -47,9 +47,18 @@ bool is_still_there(int fd) {
 } // namespace
 
 FolderLock FolderLock::wait(const fs::path& folder) {
-    const int fd = open_folder(folder);
-    lock(fd, LOCK_EX, folder);
-    return FolderLock(fd);
+    // Look again and again, so that whoever waits can be told, and the session be ended.
+    constexpr useconds_t pause_us = 20000;
+    constexpr int most_looks = 250; // 5 s
+    FolderLock held(open_folder(folder));
+    for (int look = 0; !lock(held.fd_, LOCK_EX | LOCK_NB, folder); ++look) {
+        Interruption::check();
+        if (look >= most_looks) {
+            throw support::failure("{}: is held by another program", folder.string());
+        }
+        ::usleep(pause_us);
+    }
+    return held;
 }
 
 std::optional<FolderLock> FolderLock::attempt(const fs::path& folder) {

@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 /// An exclusive lock on a folder, held while it lives; it goes with the program, however that ends.
 class FolderLock {
 public:
-    /// Wait until no other program holds the folder. Throws support::Failure.
+    /// Wait until no other program holds the folder, some seconds at most. Throws support::Failure,
+    /// Interrupted.
     static FolderLock wait(const fs::path& folder);
     /// Nothing where another program holds the folder. Makes the folder where there is none, and takes an
     /// empty one away again in the end. Throws support::Failure, InputError.

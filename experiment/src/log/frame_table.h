@@ -19,11 +19,11 @@ class FrameTable {
 public:
     /// Refuse a file that could not be written: in no folder, or taken; a run that is gone on with adds to
     /// its own. Throws support::InputError.
-    static void check(const fs::path& file, bool resumes);
+    static void check(const fs::path& file, bool resumes, const std::string& run);
 
-    /// `part` is written beside the times, which count from its first picture.
-    FrameTable(std::optional<fs::path> file, const Stage& stage, std::size_t part)
-        : file_(std::move(file)), stage_(stage), part_(part) {}
+    /// `run` and `part` are written beside the times, which count from the part's first picture.
+    FrameTable(std::optional<fs::path> file, const Stage& stage, std::string run, std::size_t part)
+        : file_(std::move(file)), stage_(stage), run_(std::move(run)), part_(part) {}
     /// Writes what is left, however the session ended.
     ~FrameTable() { write(); }
     FrameTable(const FrameTable&) = delete;
@@ -36,6 +36,7 @@ public:
 private:
     std::optional<fs::path> file_;
     const Stage& stage_;
+    std::string run_;
     std::size_t part_, written_ = 0;
 };
 

@@ -57,8 +57,11 @@ ordered_json description(const std::string& title, const std::string& protocol, 
             {"Simulated", simulated}};
 }
 
-/// Of two sets of stimuli that share names, each has a folder of its own.
-std::string kept_name(const StimulusSet& stimuli) { return stimuli.manifest_digest().substr(0, 12); }
+/// Whether a file is there and has that SHA-256.
+bool is_picture(const fs::path& file, const std::string& digest) {
+    std::error_code unknown;
+    return fs::is_regular_file(file, unknown) && support::sha256_of_file(file) == digest;
+}
 
 /// The copy is there whole or not at all.
 void copy_in_one_step(const fs::path& from, const fs::path& to) {
@@ -131,7 +134,7 @@ void StudyFolder::check_kind() const {
 void StudyFolder::prepare(const std::string& title, const std::string& label) const {
     support::make_writable_folder(folder_);
     const FolderLock lock = FolderLock::wait(folder_);
-    for (const fs::path& folder : {folder_, folder_ / "phenotype", folder_ / stimuli_folder}) {
+    for (const fs::path& folder : {folder_, folder_ / "phenotype"}) {
         support::remove_leftovers(folder);
     }
     check_kind();
@@ -150,33 +153,45 @@ void StudyFolder::prepare(const std::string& title, const std::string& label) co
 void StudyFolder::keep_contact_sheet(const fs::path& sheet) const {
     const fs::path kept = folder_ / stimuli_folder / "contact_sheet.png";
     if (fs::is_regular_file(sheet) && !fs::exists(kept)) {
+        check_room(fs::file_size(sheet));
         copy_in_one_step(sheet, kept);
     }
 }
 
-void StudyFolder::keep_stimuli(const StimulusSet& stimuli) const {
-    const FolderLock lock = FolderLock::wait(folder_);
-    support::remove_leftovers(folder_ / stimuli_folder / kept_name(stimuli));
-    // See what is missing, and whether it leaves the answers room.
-    std::vector<fs::path> missing;
+KeptStimuli StudyFolder::keep_stimuli(const StimulusSet& stimuli) const {
+    // Of two sets that share names, each has a folder of its own.
+    const fs::path own = stimuli.manifest_digest().substr(0, 12);
+    KeptStimuli kept;
     std::uintmax_t bytes = 0;
     for (const auto& [stimulus, file] : stimuli.files()) {
-        if (!fs::exists(folder_ / kept_stimulus(stimuli, stimulus))) {
-            missing.push_back(file);
-            bytes += fs::file_size(file);
+        const fs::path name = own / file.filename();
+        if (is_picture(folder_ / stimuli_folder / name, stimuli.digest_of(stimulus))) {
+            kept[stimulus] = name.string();
+        } else {
+            std::error_code vanished;
+            bytes += fs::file_size(file, vanished) * (vanished ? 0 : 1);
         }
     }
-    if (fs::space(folder_).available < bytes + room_for_answers) {
+    if (kept.size() < stimuli.files().size()) {
+        check_room(bytes);
+    }
+    // A picture that was changed or removed since it was checked is not the one that is shown.
+    for (const auto& [stimulus, file] : stimuli.files()) {
+        const fs::path name = own / file.filename();
+        if (!kept.contains(stimulus) && is_picture(file, stimuli.digest_of(stimulus))) {
+            copy_in_one_step(file, folder_ / stimuli_folder / name);
+            kept[stimulus] = name.string();
+        }
+    }
+    return kept;
+}
+
+/// Refuse to take the room that answers may need.
+void StudyFolder::check_room(std::uintmax_t bytes) const {
+    if (fs::space(support::existing_part(folder_)).available < bytes + room_for_answers) {
         throw support::failure("{}: has no room for a copy of the stimuli ({} MB)", folder_.string(),
                                bytes >> 20);
     }
-    for (const fs::path& file : missing) {
-        copy_in_one_step(file, folder_ / stimuli_folder / kept_name(stimuli) / file.filename());
-    }
-}
-
-fs::path StudyFolder::kept_stimulus(const StimulusSet& stimuli, const Stimulus& stimulus) {
-    return fs::path(stimuli_folder) / kept_name(stimuli) / stimuli.file_of(stimulus).filename();
 }
 
 StudyCopy::StudyCopy(fs::path folder) : folder_(std::move(folder)) {

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -15,6 +16,9 @@ namespace fs = std::filesystem;
 
 /// Refuse what is no participant label: 1 to 64 letters and digits of ASCII. Throws support::InputError.
 void check_label(const std::string& label);
+
+/// Where a study has copies of the pictures shown, below its folder stimuli.
+using KeptStimuli = std::map<Stimulus, std::string>;
 
 /// A study's folder as BIDS lays it out (Brain Imaging Data Structure 1.11, behavioural data).
 class StudyFolder {
@@ -30,14 +34,14 @@ public:
     /// Copy the stimuli's contact sheet to stimuli/contact_sheet.png where there is one and the study has
     /// none.
     void keep_contact_sheet(const fs::path& sheet) const;
-    /// Copy the pictures to stimuli/<first 12 digits of the set's digest>/, as far as they are not there.
-    /// Throws support::Failure where the disk would be left without room for answers, and std::runtime_error.
-    void keep_stimuli(const StimulusSet& stimuli) const;
-    /// Where a picture's copy is, below the study's folder.
-    static fs::path kept_stimulus(const StimulusSet& stimuli, const Stimulus& stimulus);
+    /// Copy the pictures to stimuli/<first 12 digits of the set's digest>/, as far as they are not there
+    /// unchanged. Throws support::Failure where the disk would be left without room for answers, and
+    /// std::runtime_error.
+    KeptStimuli keep_stimuli(const StimulusSet& stimuli) const;
 
 private:
     void check_kind() const;
+    void check_room(std::uintmax_t bytes) const;
 
     fs::path folder_;
     bool simulated_;

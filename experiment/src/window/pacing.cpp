@@ -59,6 +59,40 @@ Refresh judge_refresh(std::span<const double> swap_times_s, double reported_hz) 
     return refresh;
 }
 
+double rate_of(std::span<const double> swap_times_s, double hz) {
+    // The slope of the refreshes' numbers over their times.
+    const auto count = static_cast<double>(swap_times_s.size());
+    double number = 0, sum_n = 0, sum_t = 0, sum_nt = 0, sum_tt = 0;
+    for (std::size_t i = 0; i < swap_times_s.size(); ++i) {
+        const double t_s = swap_times_s[i] - swap_times_s[0];
+        if (i > 0) {
+            number += std::max(1.0, std::round((swap_times_s[i] - swap_times_s[i - 1]) * hz));
+        }
+        sum_n += number;
+        sum_t += t_s;
+        sum_nt += number * t_s;
+        sum_tt += t_s * t_s;
+    }
+    return (count * sum_nt - sum_n * sum_t) / (count * sum_tt - sum_t * sum_t);
+}
+
+std::vector<int> missed_refreshes(std::span<const double> swap_times_s, double hz) {
+    // Number each swap by its time, then bring those that were noticed late before the ones that follow.
+    std::vector<int> numbers;
+    for (const double time_s : swap_times_s) {
+        const int by_time = static_cast<int>(std::lround((time_s - swap_times_s[0]) * hz));
+        numbers.push_back(std::max(by_time, static_cast<int>(numbers.size())));
+    }
+    for (std::size_t i = numbers.size(); i-- > 1;) {
+        numbers[i - 1] = std::min(numbers[i - 1], numbers[i] - 1);
+    }
+    std::vector<int> missed;
+    for (std::size_t i = 1; i < numbers.size(); ++i) {
+        missed.push_back(numbers[i] - numbers[i - 1] - 1);
+    }
+    return missed;
+}
+
 int whole_frames(double duration_s, double hz) {
     return std::max(1, static_cast<int>(std::lround(duration_s * hz)));
 }

@@ -33,6 +33,15 @@ struct Refresh {
 /// reports: a monitor that reports none, 0 Hz, has no refresh to wait for.
 Refresh judge_refresh(std::span<const double> swap_times_s, double reported_hz);
 
+/// The rate of swaps that each wait for a refresh, by least squares over all of them; `hz` is near it, so
+/// that refreshes that were missed between two swaps can be counted.
+double rate_of(std::span<const double> swap_times_s, double hz);
+
+/// How many refreshes were missed before each of consecutive swaps but the first. A swap that was only
+/// noticed late, so that the next seem to come early, missed none: their refreshes are counted from the
+/// first swap on.
+std::vector<int> missed_refreshes(std::span<const double> swap_times_s, double hz);
+
 /// How many frames a grey of that duration lasts: a whole number, at least one.
 int whole_frames(double duration_s, double hz);
 

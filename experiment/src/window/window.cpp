@@ -128,7 +128,11 @@ std::array<int, 2> Window::framebuffer_size() const {
 }
 
 int Window::reported_hz() const {
-    const GLFWvidmode* mode = glfwGetVideoMode(monitor_);
+    // The monitor may have been unplugged, and GLFW has forgotten it.
+    int count = 0;
+    GLFWmonitor** const monitors = glfwGetMonitors(&count);
+    const bool there = std::find(monitors, monitors + count, monitor_) != monitors + count;
+    const GLFWvidmode* mode = there ? glfwGetVideoMode(monitor_) : nullptr;
     return mode ? mode->refreshRate : 0;
 }
 

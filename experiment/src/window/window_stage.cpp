@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -21,8 +22,11 @@ namespace {
 constexpr int dropped_swaps = 10; // the first ones, while drivers and compositors settle
 constexpr int measured_frames = 10;
 constexpr int most_measurements = 5;
-constexpr double poll_s = 0.5e-3; // pause between two looks at the keyboard
-constexpr double quiet_s = 5e-3;  // before a deadline, no more looks
+constexpr double rate_measured_s = 2;
+constexpr double early_share = 0.35; // of a period, before which no swap that waits for its refresh returns
+constexpr int most_early = 2;        // in a grey
+constexpr double poll_s = 0.5e-3;    // pause between two looks at the keyboard
+constexpr double quiet_s = 5e-3;     // before a deadline, no more looks
 constexpr std::size_t rehearsed_swaps = 5;
 constexpr double rehearsal_s = 0.2; // before a deadline
 constexpr double rehearsal_pause_s = 0.015;
@@ -73,17 +77,24 @@ WindowStage::WindowStage(const study::Protocol& protocol, const ScreenOptions& o
 
 /// Measure the refresh, anew where other programs disturbed it. A monitor that reports no rate has none.
 void WindowStage::measure_refresh() {
+    remeasure_ = false;
+    refresh_ = {};
     for (int attempt = 0; attempt < most_measurements && !refresh_.vsync; ++attempt) {
-        refresh_ = judge_refresh(time_swaps(), window_.reported_hz());
+        refresh_ = judge_refresh(time_swaps(measured_frames), window_.reported_hz());
         if (window_.reported_hz() == 0) {
             return;
         }
     }
+    // A grey of many frames needs the rate more exactly than ten intervals tell it.
+    if (refresh_.vsync) {
+        const auto frames = static_cast<int>(std::lround(rate_measured_s * refresh_.hz));
+        refresh_.hz = rate_of(time_swaps(frames), refresh_.hz);
+    }
 }
 
-std::vector<double> WindowStage::time_swaps() {
+std::vector<double> WindowStage::time_swaps(int intervals) {
     std::vector<double> times_s;
-    for (int i = 0; i < dropped_swaps + measured_frames + 1; ++i) {
+    for (int i = 0; i < dropped_swaps + intervals + 1; ++i) {
         window_.poll();
         pictures_.draw(Grey{page_ground}, window_.framebuffer_size());
         window_.swap();
@@ -95,6 +106,14 @@ std::vector<double> WindowStage::time_swaps() {
     return times_s;
 }
 
+/// The display is not the one that was measured: measure it before the next trial, and say so.
+void WindowStage::measure_anew() {
+    measure_refresh();
+    const std::string now =
+        refresh_.vsync ? fmt::format("the refresh paces, {:.2f} Hz", refresh_.hz) : "the clock paces";
+    notes_.push_back({monotonic_s(), "the display was measured anew: " + now});
+}
+
 /// Look at keyboard and window once. What takes the screen from the trial disturbs it.
 void WindowStage::look() {
     window_.poll();
@@ -103,6 +122,7 @@ void WindowStage::look() {
         throw Disturbed("the window was asked to close");
     }
     if (window_.take_change()) {
+        remeasure_ = window_.reported_hz() > 0;
         wait_out_change();
         throw Disturbed("the screen changed");
     }
@@ -132,6 +152,9 @@ void WindowStage::wait_until_polling(double deadline_s) {
 }
 
 double WindowStage::show_after(double duration_s, const Picture& picture) {
+    if (remeasure_ && std::holds_alternative<Page>(picture)) {
+        measure_anew();
+    }
     const Flip flip =
         refresh_.vsync ? show_by_refresh(duration_s, picture) : show_by_clock(duration_s, picture);
     note_flip(flip, picture);
@@ -142,47 +165,72 @@ double WindowStage::show_after(double duration_s, const Picture& picture) {
     return onset_s_;
 }
 
-/// Swap the buffers and wait for the refresh that shows what was drawn; `since_s` is the refresh before.
-Flip WindowStage::swap_at_refresh(double since_s) {
+/// Swap the buffers and wait for the refresh that shows what was drawn.
+Flip WindowStage::swap_at_refresh() {
     Flip flip;
-    flip.asked_s = since_s + 1 / refresh_.hz;
     flip.called_s = monotonic_s();
     window_.swap();
     window_.wait_for_back_buffer();
     flip.onset_s = monotonic_s();
-    flip.missed_frames = missed_frames(flip.onset_s - since_s, 1, refresh_.hz);
     return flip;
 }
 
-/// Show what is shown again at each refresh until one is left of so many frames, so that they are counted
-/// and a dropped one is noticed; the time of the last refresh.
-double WindowStage::hold(int frames) {
-    double last_s = onset_s_;
-    for (int shown = 1; shown < frames;) {
+/// Show what is shown again at each refresh until one is left of so many frames, so that they are counted.
+/// Refreshes are numbered by the clock: should swaps no longer wait for them, the clock holds them back.
+void WindowStage::hold(int frames) {
+    int early = 0;
+    for (int swaps = 1, shown = 1; shown < frames; ++swaps) {
         look();
         pictures_.draw(current_, window_.framebuffer_size());
-        Flip flip = swap_at_refresh(last_s);
-        shown += std::max(1, static_cast<int>(std::lround((flip.onset_s - last_s) * refresh_.hz)));
-        flip.frame = static_cast<std::size_t>(shown);
-        note_flip(flip, current_);
-        last_s = flip.onset_s;
+        Flip flip = swap_at_refresh();
+        flip.asked_s = onset_s_ + swaps / refresh_.hz;
+        flip.frame = static_cast<std::size_t>(swaps) + 1;
+        if (flip.onset_s < flip.asked_s - early_share / refresh_.hz) {
+            ++early;
+            wait_until(flip.asked_s);
+        }
+        shown = 1 + static_cast<int>(std::lround((monotonic_s() - onset_s_) * refresh_.hz));
+        note_flip(std::move(flip), current_);
     }
-    return last_s;
+    if (early > most_early) {
+        notes_.push_back({monotonic_s(), "swaps no longer wait for the refresh that was measured"});
+        remeasure_ = true;
+    }
 }
 
 Flip WindowStage::show_by_refresh(double duration_s, const Picture& picture) {
     if (duration_s > 0) {
-        const double last_s = hold(whole_frames(duration_s, refresh_.hz));
+        const std::size_t onset = flips_.size() - 1;
+        const int frames = whole_frames(duration_s, refresh_.hz);
+        hold(frames);
+        // Ask for the swap half a period before the refresh that ends the last frame.
         pictures_.draw(picture, window_.framebuffer_size());
-        return swap_at_refresh(last_s);
+        wait_until(onset_s_ + (frames - 0.5) / refresh_.hz);
+        Flip flip = swap_at_refresh();
+        flip.asked_s = onset_s_ + frames / refresh_.hz;
+        flip.missed_frames = count_missed(onset, flip.onset_s);
+        return flip;
     }
     // What comes at no given time misses no refresh.
     pictures_.draw(picture, window_.framebuffer_size());
-    const double now_s = monotonic_s();
-    Flip flip = swap_at_refresh(now_s);
-    flip.asked_s = now_s;
-    flip.missed_frames = 0;
+    Flip flip = swap_at_refresh();
+    flip.asked_s = flip.called_s;
     return flip;
+}
+
+/// Note which of the flips since `onset` came too late; how many refreshes the one at `end_s` missed.
+int WindowStage::count_missed(std::size_t onset, double end_s) {
+    std::vector<double> times_s;
+    for (std::size_t i = onset; i < flips_.size(); ++i) {
+        times_s.push_back(flips_[i].onset_s);
+    }
+    times_s.push_back(end_s);
+    const std::vector<int> missed = missed_refreshes(times_s, refresh_.hz);
+    for (std::size_t i = onset + 1; i < flips_.size(); ++i) {
+        flips_[i].missed_frames = missed[i - onset - 1];
+        dropped_frames_ += flips_[i].missed_frames;
+    }
+    return missed.back();
 }
 
 void WindowStage::note_flip(Flip flip, const Picture& picture) {
@@ -263,6 +311,12 @@ FormAnswer WindowStage::ask(const Form& form) { return forms_.ask(form); }
 
 bool WindowStage::tell_trouble(const std::string& message) {
     return forms_.ask(trouble_form(texts_, message)).chosen.front() == 0;
+}
+
+std::vector<Note> WindowStage::take_notes() {
+    std::vector<Note> notes = window_.take_notes();
+    std::ranges::move(std::exchange(notes_, {}), std::back_inserter(notes));
+    return notes;
 }
 
 StageFacts WindowStage::facts() const {

@@ -41,7 +41,7 @@ public:
     StageFacts facts() const override;
     double now_s() const override { return monotonic_s(); }
     void begin_trial(std::size_t trial) override { trial_ = trial; }
-    std::vector<Note> take_notes() override { return window_.take_notes(); }
+    std::vector<Note> take_notes() override;
     int take_early_answers() override { return std::exchange(early_answers_, 0); }
     std::vector<Flip> flips() const override { return flips_; }
     const Refresh& refresh() const { return refresh_; }
@@ -50,14 +50,16 @@ private:
     using Load = std::function<PictureStore(Window&)>;
     WindowStage(const study::Protocol& protocol, const ScreenOptions& options, const Load& load);
     void measure_refresh();
-    std::vector<double> time_swaps();
+    std::vector<double> time_swaps(int intervals);
+    void measure_anew();
     void look();
     void wait_out_change();
     void count_early_answers();
     void wait_until_polling(double deadline_s);
     void rehearse(double until_s);
-    Flip swap_at_refresh(double since_s);
-    double hold(int frames);
+    Flip swap_at_refresh();
+    void hold(int frames);
+    int count_missed(std::size_t onset, double end_s);
     void note_flip(Flip flip, const Picture& picture);
     Flip show_by_refresh(double duration_s, const Picture& picture);
     Flip show_by_clock(double duration_s, const Picture& picture);
@@ -72,6 +74,8 @@ private:
     Picture current_ = Page{};
     std::vector<Flip> flips_;
     std::size_t trial_ = 0;
+    std::vector<Note> notes_;
+    bool remeasure_ = false;     // before the next page
     bool trial_started_ = false; // its second picture is still to come
     double swap_duration_s_ = 0; // where the clock paces
     double onset_s_ = 0;
