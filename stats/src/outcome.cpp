@@ -41,9 +41,9 @@ Outcome outcome_of(const Figures& figures) {
     } else if (outcome.within_bounds) {
         outcome.kind = Outcome::Kind::as_good;
     } else if (!level.p_equivalence) {
-        outcome.kind = Outcome::Kind::untestable;
         outcome.why =
-            "all participants have the same proportion, which leaves no spread to judge equality by";
+            "no difference is shown, and all participants have the same proportion, which leaves no "
+            "spread to judge equality by";
     }
     return outcome;
 }

@@ -190,9 +190,10 @@ std::string shaders_html(const Analysis& analysis) {
                         group.tally,
                         group.figures});
     }
-    return paragraph("Each shader over all conditions, by distance and by azimuth. " +
-                         corrections(analysis.groups.size(), "shaders.tsv"),
-                     "note") +
+    return paragraph(
+               "Each shader over all conditions, and by distance and by azimuth where there are several. " +
+                   corrections(analysis.groups.size(), "shaders.tsv"),
+               "note") +
            both_tables({"Shader", "Verdict"}, 1, rows);
 }
 

@@ -125,8 +125,8 @@ std::string methods_html(const Analysis& analysis) {
                               participants_text(found.participants), found.trials - found.unanswered,
                               analysis.rows.size(), is_simulated(analysis.study) ? " (simulated data)" : ""));
     html += paragraph(fmt::format(
-        "In each condition, and for each shader over all conditions, by distance and by azimuth, the numbers "
-        "of "
+        "In each condition, and for each shader over all conditions, by distance and by azimuth where there "
+        "are several, the numbers of "
         "answers that chose the reference and the other shader were compared with half and half by a "
         "one-sample "
         "chi-square test (df = 1, no continuity correction, alpha = {}), as by Jimenez, Sundstedt and "
@@ -257,9 +257,9 @@ std::string stimuli_html(const Analysis& analysis,
             "--stimuli DIR, the report shows them beside their numbers.</figcaption></figure>\n",
             image(*contact_sheet, "Contact sheet of the stimuli"));
     }
-    return paragraph(
-        "The study's folder holds no stimuli/contact_sheet.png, so the stimuli are not shown here; "
-        "--stimuli DIR names their folder.");
+    return paragraph("The study's folder holds no pictures of the stimuli and no stimuli/contact_sheet.png, "
+                     "so they are not "
+                     "shown here; --stimuli DIR names their folder.");
 }
 
 } // namespace stats
