@@ -76,10 +76,9 @@ std::string agreement(const std::vector<const GroupRow*>& pairs) {
                                    too_few.empty() ? "every shader" : "every shader that can be tested",
                                    no_spread.size() == testable ? "" : " and on equivalence");
     if (!no_spread.empty()) {
-        text +=
-            fmt::format("; equivalence cannot be tested over participants for {}, as all of them have the "
-                        "same proportion",
-                        listed(std::move(no_spread)));
+        text += fmt::format(
+            "; equivalence cannot be tested for {}, where all participants have the same proportion",
+            listed(std::move(no_spread)));
     }
     if (!too_few.empty()) {
         text += fmt::format("; too few participants to test {}", listed(std::move(too_few)));

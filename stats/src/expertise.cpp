@@ -180,9 +180,10 @@ std::string expertise_sentence(const ExpertiseComparison& c) {
                            participants_text(c.with.participants), c.without.participants);
     }
     const auto group = [](const GroupErrors& g) {
-        return fmt::format("{:.1f} errors in {:.1f} answers each",
+        return fmt::format("{:.1f} errors in {:.1f} answers{}",
                            static_cast<double>(g.errors) / static_cast<double>(g.participants),
-                           static_cast<double>(g.answers) / static_cast<double>(g.participants));
+                           static_cast<double>(g.answers) / static_cast<double>(g.participants),
+                           g.participants == 1 ? "" : " each");
     };
     return fmt::format("\"{}\": {} with it made {}, {} without it {}; {} (rank-sum p {}).", c.column,
                        participants_text(c.with.participants), group(c.with), c.without.participants,

@@ -56,8 +56,8 @@ struct Columns {
 
 const Columns& pooled_columns() {
     static const Columns columns{
-        {"Reference chosen", "Proportion", "Wilson 95 %, pooled", "Exact 95 %, pooled", "g", "p", "p exact",
-         "Holm of p", "B.\u2013H. of p", "Equivalence p", "BF<sub>01</sub>"},
+        {"Reference chosen", "Propor&shy;tion", "Wilson 95 %, pooled", "Exact 95 %, pooled", "g", "p",
+         "p exact", "Holm of p", "B.\u2013H. of p", "Equiva&shy;lence p", "BF<sub>01</sub>"},
         [](const Tally& tally, const Figures& f) {
             return std::vector<std::string>{fmt::format("{} of {}", tally.reference_chosen, tally.n),
                                             number(f.proportion, 3),
@@ -76,8 +76,8 @@ const Columns& pooled_columns() {
 
 const Columns& participant_columns() {
     static const Columns columns{
-        {"Participants", "Mean proportion", "t 95 %", "Sign-flip p", "Holm of it", "t-test p",
-         "Equivalence p (t)", "Mixed model: logit", "standard error", "p", "SD between", "p of SD"},
+        {"Partici&shy;pants", "Mean propor&shy;tion", "t 95 %", "Sign-flip p", "Holm of it", "t-test p",
+         "Equiva&shy;lence p (t)", "Mixed model: logit", "standard error", "p", "SD between", "p of SD"},
         [](const Tally&, const Figures& f) {
             const ParticipantLevel& level = f.participant;
             const double missing = std::nan("");

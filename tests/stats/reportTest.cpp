@@ -71,6 +71,17 @@ TEST(ReportTest, narrowScreensAreToldToScroll) {
     EXPECT_NE(report_of(folder).find("content: \"Scroll sideways"), std::string::npos);
 }
 
+TEST(ReportTest, everyTableScrollsRatherThanBeingCutOff) {
+    const StudyFolder folder;
+    folder.write_published_logs();
+    const std::string html = report_of(folder);
+    EXPECT_NE(html.find(".scroll, .card { overflow-x: auto; }"), std::string::npos);
+    EXPECT_EQ(count_of("<table", html), count_of("<div class=\"scroll\"><table", html));
+    // A long verdict and a long name are broken into lines, so that their columns are no wider than they must
+    // be.
+    EXPECT_NE(html.find(".details td:nth-child(2) { white-space: normal;"), std::string::npos);
+}
+
 TEST(ReportTest, marksTheNonSignificantCells) {
     // Table II has 36 cells, of which the paper sets 11 p-values (and their chi-values) in bold.
     const StudyFolder folder;
@@ -96,7 +107,7 @@ TEST(ReportTest, tellsWhatWasLeftOut) {
           "sub-02_task-skin2afc_beh.tsv: counted though incomplete: 2 of 3 trials",
           "line 4 set aside: no line break at its end",
           "sub-03_task-skin2afc_beh.tsv: not counted: incomplete, 1 of 3 trials; run 2 counts",
-          "sub-04: no log", "holds no stimuli/contact_sheet.png"}) {
+          "sub-04: no log", "holds no pictures of the stimuli"}) {
         EXPECT_NE(html.find(part), std::string::npos) << part;
     }
 }
