@@ -36,6 +36,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::uint64_t largest_seed = (std::uint64_t{1} << 53) - 1; ///< that JSON keeps exactly
 constexpr const char* power_group = "With --power";
 
 constexpr const char* footer = R"(DESCRIPTION
@@ -309,6 +310,7 @@ void add_command(CLI::App& app) {
         ->capture_default_str()
         ->type_name("LOW,HIGH");
     command->add_option("--seed", arguments->plan.seed, "Seed of whatever is drawn at random")
+        ->check(CLI::Range(std::uint64_t{0}, largest_seed))
         ->capture_default_str();
     command->add_flag("--skip-bad", arguments->leniency.skip_bad, "Leave bad files out and list them");
     command->add_flag("--mixed-protocols", arguments->leniency.mixed_protocols,
