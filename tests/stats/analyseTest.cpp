@@ -247,6 +247,7 @@ TEST(AnalyseTest, whatIsNotANumberIsRefused) {
                 << option << " " << value;
         }
     }
+    EXPECT_THROW(analyse({"--power", "--seed=-1", "--out", out}), CLI::ParseError);
     EXPECT_EQ(message_of<CLI::ParseError>([&] {
                   analyse({"--power", "--spread", "0.5,nan"});
               }),
