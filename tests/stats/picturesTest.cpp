@@ -102,10 +102,11 @@ TEST(PicturesTest, areTheCopiesOfWhatMostRunsShowed) {
 }
 
 TEST(PicturesTest, aDigestThatIsNoneLeadsNowhere) {
-    // Two such digits would name a folder outside the study.
+    // Some of these, taken for digits, would lead out of the folder of stimuli.
     const StudyFolder folder;
     folder.write("ts_far_060.png", stats::encoded(plain(8, 8, 100)));
     folder.write("ss_full_far_060.png", stats::encoded(plain(8, 8, 102)));
+    fs::create_directories(folder.path() / "stimuli");
     folder.write_log("1", log_text("r"));
     for (const std::string& digest : {std::string("n/a"), std::string(""), std::string("../"),
                                       "../././././././" + std::string(50, 'a'), std::string(64, 'A')}) {
