@@ -251,13 +251,13 @@ void run(const Arguments& arguments) {
     analyse(arguments);
 }
 
-/// A number from low to high; unlike CLI::Range it refuses what is not a number.
+/// A number from low to high; in the words of CLI::Range, which lets pass what is not a number.
 CLI::Validator number_in(double low, double high) {
     return {[low, high](std::string& text) {
                 double value = 0;
                 return CLI::detail::lexical_cast(text, value) && low <= value && value <= high
                            ? std::string()
-                           : fmt::format("expected a number from {} to {}, found {}", low, high, text);
+                           : fmt::format("Value {} not in range {} to {}", text, low, high);
             },
             fmt::format("in [{} - {}]", low, high)};
 }

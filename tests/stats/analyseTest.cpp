@@ -251,7 +251,7 @@ TEST(AnalyseTest, whatIsNotANumberIsRefused) {
     EXPECT_EQ(message_of<CLI::ParseError>([&] {
                   analyse({"--power", "--spread", "0.5,nan"});
               }),
-              "--spread: expected a number from 0 to 5, found nan");
+              "--spread: Value nan not in range 0 to 5");
     EXPECT_FALSE(fs::exists(out));
 }
 
