@@ -123,8 +123,8 @@ void print_result(const Analysis& analysis) {
     if (!notice.empty()) {
         fmt::print("{}\n\n", notice);
     }
-    fmt::print("{}: {}, {} answers\n\n", support::one_line(study.name), participants_text(found.participants),
-               found.trials - found.unanswered);
+    fmt::print("{}: {}, {}\n\n", support::one_line(study.name), participants_text(found.participants),
+               counted(found.trials - found.unanswered, "answer"));
     for (const Verdict& verdict : verdicts(analysis)) {
         fmt::print("{}\n", verdict.headline);
     }

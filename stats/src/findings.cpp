@@ -214,8 +214,8 @@ std::string simulated_notice(const Study& study) {
     }
     return found.simulated_runs == found.runs
                ? "SIMULATED DATA: no person gave these answers."
-               : fmt::format("SIMULATED DATA: {} of the {} runs are simulated.", found.simulated_runs,
-                             found.runs);
+               : fmt::format("SIMULATED DATA: {} of the {} runs {} simulated.", found.simulated_runs,
+                             found.runs, found.simulated_runs == 1 ? "is" : "are");
 }
 
 } // namespace stats

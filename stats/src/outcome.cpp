@@ -61,8 +61,6 @@ std::string sign_flip_phrase(const SignFlip& flip) {
            (flip.exact ? "" : fmt::format(" (drawn at random, standard error {:.2g})", flip.standard_error));
 }
 
-std::string participants_text(std::size_t count) {
-    return fmt::format("{} participant{}", count, count == 1 ? "" : "s");
-}
+std::string participants_text(std::size_t count) { return counted(count, "participant"); }
 
 } // namespace stats

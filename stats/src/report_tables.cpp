@@ -145,10 +145,9 @@ std::string group_label(const GroupRow& group) {
 
 /// What a table's p-values are corrected for, and where its digits are.
 std::string corrections(std::size_t rows, std::string_view file) {
-    return fmt::format(
-        "Corrected over the {} rows of the table: the sign-flip p by Holm, the chi-square's p by Holm "
-        "and Benjamini\u2013Hochberg; no other p. Marked: p above {}. {} has every digit.",
-        rows, alpha, file);
+    return fmt::format("Corrected over {} of the table: the sign-flip p by Holm, the chi-square's p by Holm "
+                       "and Benjamini\u2013Hochberg; no other p. Marked: p above {}. {} has every digit.",
+                       all_counted(rows, "row"), alpha, file);
 }
 
 } // namespace

@@ -65,6 +65,18 @@ TEST(ReportTest, isOneSelfContainedPage) {
               html.find("<table")); // the answer comes first
 }
 
+TEST(ReportTest, oneIsNotPlural) {
+    const StudyFolder folder;
+    folder.write_log("01", log_text("r"));
+    const std::string html = report_of(folder);
+    EXPECT_NE(html.find("1 participant, 1 answer, 1 condition."), std::string::npos);
+    EXPECT_NE(html.find("the only condition, and the only row of"), std::string::npos);
+    for (const char* wrong :
+         {"1 participants", "1 conditions", " 1 rows", "1 runs", "1 logs", "choice answers in 1"}) {
+        EXPECT_EQ(html.find(wrong), std::string::npos) << wrong;
+    }
+}
+
 TEST(ReportTest, narrowScreensAreToldToScroll) {
     const StudyFolder folder;
     folder.write_log("01", log_text("rt"));
