@@ -3,9 +3,11 @@
 
 #include <stats/command.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <span>
 #include <string>
 
 #include <unistd.h>
@@ -34,6 +36,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::uint64_t largest_seed = (std::uint64_t{1} << 53) - 1; ///< that JSON keeps exactly
+constexpr const char* power_group = "With --power";
+
 constexpr const char* footer = R"(DESCRIPTION
   Reads the logs STUDY/sub-*/beh/sub-*_task-skin2afc[_run-NN]_beh.tsv and says where the shaders differ, which
   are as good as each other, and how sure that is: Table II of Jimenez, Sundstedt and Gutierrez (2009) - a
@@ -60,7 +65,7 @@ constexpr const char* footer = R"(DESCRIPTION
 FILES WRITTEN (in DIR)
   report.html          all of it on one self-contained page
   table2.tsv           one row a condition, with every figure
-  shaders.tsv          one row a shader: over all conditions, by distance, by azimuth
+  shaders.tsv          one row a shader: over all, by distance and azimuth where several
   participants.tsv     how far each participant's answers can be trusted
   summary.json         all numbers, what was used and left out, the answer in sentences
   trials.tsv           one row a trial, for R
@@ -118,8 +123,8 @@ void print_result(const Analysis& analysis) {
     if (!notice.empty()) {
         fmt::print("{}\n\n", notice);
     }
-    fmt::print("{}: {}, {} answers\n\n", support::one_line(study.name), participants_text(found.participants),
-               found.trials - found.unanswered);
+    fmt::print("{}: {}, {}\n\n", support::one_line(study.name), participants_text(found.participants),
+               counted(found.trials - found.unanswered, "answer"));
     for (const Verdict& verdict : verdicts(analysis)) {
         fmt::print("{}\n", verdict.headline);
     }
@@ -151,16 +156,29 @@ void print_result(const Analysis& analysis) {
     }
 }
 
+/// The pictures to show: of --stimuli, which must have some, or what the study keeps.
+std::vector<std::optional<ConditionPictures>> pictures_of(const Analysis& analysis,
+                                                          const Arguments& arguments) {
+    if (arguments.stimuli.empty()) {
+        return condition_pictures(analysis.rows, kept_stimuli(analysis.study, arguments.study));
+    }
+    auto pictures = condition_pictures(analysis.rows, std::span(&arguments.stimuli, 1));
+    if (std::none_of(pictures.begin(), pictures.end(), [](const auto& one) { return one.has_value(); })) {
+        throw support::input_error("--stimuli: {}: expected pictures of the study's conditions, "
+                                   "<shader>_<distance>_<azimuth>.png, found none of any condition's two",
+                                   arguments.stimuli.string());
+    }
+    return pictures;
+}
+
 void analyse(const Arguments& arguments) {
     // Make everything before anything is written.
     const Settings settings{{arguments.bounds[0], arguments.bounds[1]}, arguments.plan.seed};
     const Analysis analysis = analyse_study(arguments.study, settings, arguments.leniency);
-    const fs::path stimuli = arguments.stimuli.empty() ? arguments.study / "stimuli" : arguments.stimuli;
     const bool simulated = is_simulated(analysis.study);
     const std::string notice = simulated_notice(analysis.study);
     const ReportFigures figures{figure8(analysis.rows, notice), forest_of_shaders(analysis, notice),
-                                forest_of_conditions(analysis, notice),
-                                condition_pictures(analysis.rows, stimuli),
+                                forest_of_conditions(analysis, notice), pictures_of(analysis, arguments),
                                 read_png(arguments.study / "stimuli" / "contact_sheet.png")};
     write_together(arguments.out, {{"table2.tsv", to_tsv(analysis.rows, simulated)},
                                    {"shaders.tsv", to_tsv(analysis.groups, simulated)},
@@ -190,12 +208,28 @@ void plan_study(const Arguments& arguments) {
     }
 }
 
+/// Refuse options that would be ignored.
+void check_options(const CLI::App& command, bool power) {
+    if (power) {
+        for (const char* name : {"STUDY", "--stimuli", "--bounds", "--skip-bad", "--mixed-protocols"}) {
+            if (command.count(name) > 0) {
+                throw support::input_error("{}: expected not to be given with --power, which reads no logs",
+                                           name);
+            }
+        }
+        return;
+    }
+    for (const CLI::Option* option :
+         command.get_options([](const CLI::Option* one) { return one->get_group() == power_group; })) {
+        if (option->count() > 0) {
+            throw support::input_error("{}: expected with --power only, found without it",
+                                       option->get_name());
+        }
+    }
+}
+
 void run(const Arguments& arguments) {
     if (arguments.power) {
-        if (!arguments.study.empty()) {
-            throw support::input_error("--power: expected no STUDY, as it reads no logs, found {}",
-                                       arguments.study.string());
-        }
         plan_study(arguments);
         return;
     }
@@ -208,35 +242,51 @@ void run(const Arguments& arguments) {
         throw support::input_error("--bounds: expected LOW below 0.5 and HIGH above it, found {} and {}",
                                    arguments.bounds[0], arguments.bounds[1]);
     }
+    if (std::error_code ignored;
+        !arguments.stimuli.empty() && !fs::is_directory(arguments.stimuli, ignored)) {
+        throw support::input_error("--stimuli: {}: expected a folder of stimuli, found {}",
+                                   arguments.stimuli.string(),
+                                   fs::exists(arguments.stimuli, ignored) ? "a file" : "nothing");
+    }
     analyse(arguments);
 }
 
+/// A number from low to high; in the words of CLI::Range, which lets pass what is not a number.
+CLI::Validator number_in(double low, double high) {
+    return {[low, high](std::string& text) {
+                double value = 0;
+                return CLI::detail::lexical_cast(text, value) && low <= value && value <= high
+                           ? std::string()
+                           : fmt::format("Value {} not in range {} to {}", text, low, high);
+            },
+            fmt::format("in [{} - {}]", low, high)};
+}
+
 void add_power_options(CLI::App& command, PowerPlan& plan) {
-    const char* const group = "With --power";
     command.add_option("--participants", plan.participants, "Participants of the design")
         ->check(CLI::Range(2, 1000))
         ->capture_default_str()
-        ->group(group);
+        ->group(power_group);
     command.add_option("--trials", plan.trials, "Trials of each participant on the question that is tested")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str()
-        ->group(group);
+        ->group(power_group);
     command
         .add_option("--proportion", plan.proportion, "Proportion choosing the reference that is to be found")
-        ->check(CLI::Range(0.5, 1.0))
+        ->check(number_in(0.5, 1))
         ->capture_default_str()
-        ->group(group);
+        ->group(power_group);
     command
         .add_option("--spread", plan.spreads, "Standard deviations between participants, on the logit scale")
-        ->check(CLI::Range(0.0, 5.0))
+        ->check(number_in(0, 5))
         ->expected(1, 4)
         ->delimiter(',')
         ->capture_default_str()
-        ->group(group);
+        ->group(power_group);
     command.add_option("--studies", plan.studies, "Simulated studies for each figure")
         ->check(CLI::Range(100, 1000000))
         ->capture_default_str()
-        ->group(group);
+        ->group(power_group);
 }
 
 } // namespace
@@ -250,16 +300,17 @@ void add_command(CLI::App& app) {
     command->add_option("--out", arguments->out, "Folder for the results; made if missing")->type_name("DIR");
     command
         ->add_option("--stimuli", arguments->stimuli,
-                     "Folder of the stimuli, to show them; default STUDY/stimuli")
+                     "Folder of the stimuli, to show them; default: the study's copies")
         ->type_name("DIR");
     command
         ->add_option("--bounds", arguments->bounds, "Proportions between which shaders count as equally good")
         ->expected(2)
         ->delimiter(',')
-        ->check(CLI::Range(0.001, 0.999))
+        ->check(number_in(0.001, 0.999))
         ->capture_default_str()
         ->type_name("LOW,HIGH");
     command->add_option("--seed", arguments->plan.seed, "Seed of whatever is drawn at random")
+        ->check(CLI::Range(std::uint64_t{0}, largest_seed))
         ->capture_default_str();
     command->add_flag("--skip-bad", arguments->leniency.skip_bad, "Leave bad files out and list them");
     command->add_flag("--mixed-protocols", arguments->leniency.mixed_protocols,
@@ -267,7 +318,10 @@ void add_command(CLI::App& app) {
     command->add_flag("--power", arguments->power, "Plan a study: power, without logs");
     add_power_options(*command, arguments->plan);
     command->footer(footer);
-    command->callback([arguments] { run(*arguments); });
+    command->callback([arguments, command] {
+        check_options(*command, arguments->power);
+        run(*arguments);
+    });
 }
 
 } // namespace stats

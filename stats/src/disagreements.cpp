@@ -49,13 +49,55 @@ void add_places(std::vector<std::string>& sentences, std::vector<std::string> pl
     }
 }
 
+/// What is said where no shader shows them to disagree: that they agree, as far as both can be tested.
+std::string agreement(const std::vector<const GroupRow*>& pairs) {
+    std::vector<std::string> too_few, no_spread;
+    std::size_t testable = 0;
+    for (const GroupRow* pair : pairs) {
+        const ParticipantLevel& level = pair->figures->participant;
+        if (level.participants < fewest_participants(1)) {
+            too_few.push_back(
+                fmt::format("{} ({})", shader_label(pair->test), participants_text(level.participants)));
+            continue;
+        }
+        ++testable;
+        if (!level.p_equivalence) {
+            no_spread.push_back(shader_label(pair->test));
+        }
+    }
+    if (testable == 0) {
+        return fmt::format(
+            "Whether pooled and participant-level tests agree cannot be told: no sign-flip test "
+            "can be significant below {}.",
+            participants_text(fewest_participants(1)));
+    }
+    std::string text = fmt::format("Pooled and participant-level tests agree on {} over all conditions, on "
+                                   "difference{} (p uncorrected)",
+                                   too_few.empty() ? "every shader" : "every shader that can be tested",
+                                   no_spread.size() == testable ? "" : " and on equivalence");
+    if (!no_spread.empty()) {
+        text += fmt::format(
+            "; equivalence cannot be tested for {}, where all participants have the same proportion",
+            listed(std::move(no_spread)));
+    }
+    if (!too_few.empty()) {
+        text += fmt::format("; too few participants to test {}", listed(std::move(too_few)));
+    }
+    return text + ".";
+}
+
 } // namespace
 
 std::vector<std::string> disagreements(const Analysis& analysis) {
     std::vector<std::string> sentences, groups, conditions;
+    std::vector<const GroupRow*> pairs;
     std::size_t group_count = 0;
     for (const GroupRow& group : analysis.groups) {
-        group_count += group.by != "all" ? 1 : 0;
+        if (group.by != "all") {
+            ++group_count;
+        } else if (group.figures) {
+            pairs.push_back(&group);
+        }
         if (!group.figures || !disagrees(*group.figures)) {
             continue;
         }
@@ -77,10 +119,8 @@ std::vector<std::string> disagreements(const Analysis& analysis) {
                                          numbers(*group.figures)));
         }
     }
-    if (sentences.empty() && !overall(analysis.groups).empty()) {
-        sentences.push_back(
-            "Pooled and participant-level tests agree on every shader over all conditions, on "
-            "difference and on equivalence.");
+    if (sentences.empty() && !pairs.empty()) {
+        sentences.push_back(agreement(pairs));
     }
     // Single conditions have few answers a participant, so that their participant-level tests find less.
     for (const Row& row : analysis.rows) {

@@ -15,6 +15,7 @@
 #include <support/file.h>
 
 #include "labels.h"
+#include "outcome.h"
 
 namespace stats {
 namespace {
@@ -175,16 +176,18 @@ std::vector<ExpertiseComparison> compare_expertise(std::span<const ExpertiseQues
 
 std::string expertise_sentence(const ExpertiseComparison& c) {
     if (!c.rank_sum) {
-        return fmt::format("\"{}\": {} participants with and {} without; nothing to compare.", c.column,
-                           c.with.participants, c.without.participants);
+        return fmt::format("\"{}\": {} with and {} without; nothing to compare.", c.column,
+                           participants_text(c.with.participants), c.without.participants);
     }
     const auto group = [](const GroupErrors& g) {
-        return fmt::format("{:.1f} errors in {:.1f} answers each",
+        return fmt::format("{:.1f} errors in {:.1f} answers{}",
                            static_cast<double>(g.errors) / static_cast<double>(g.participants),
-                           static_cast<double>(g.answers) / static_cast<double>(g.participants));
+                           static_cast<double>(g.answers) / static_cast<double>(g.participants),
+                           g.participants == 1 ? "" : " each");
     };
-    return fmt::format("\"{}\": {} participants with it made {}, {} without it {}; {} (rank-sum p {}).",
-                       c.column, c.with.participants, group(c.with), c.without.participants, group(c.without),
+    return fmt::format("\"{}\": {} with it made {}, {} without it {}; {} (rank-sum p {}).", c.column,
+                       participants_text(c.with.participants), group(c.with), c.without.participants,
+                       group(c.without),
                        c.rank_sum->p <= alpha ? "a significant difference" : "no significant difference",
                        p_phrase(c.rank_sum->p));
 }

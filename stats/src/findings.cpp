@@ -122,26 +122,32 @@ std::string participant_sentence(std::span<const Row> rows, const std::string& r
                                  const std::string& test_shader) {
     const std::string reference = shader_label(reference_shader), test = shader_label(test_shader);
     std::vector<std::string> differing;
-    std::size_t tested = 0, reference_preferred = 0;
+    std::size_t tested = 0, untestable = 0, reference_preferred = 0;
     for (const Row& row : rows) {
         if (row.condition.reference != reference_shader || row.condition.test != test_shader ||
             !row.figures) {
             continue;
         }
-        ++tested;
-        if (const Outcome outcome = outcome_of(*row.figures); outcome.differs()) {
+        const Outcome outcome = outcome_of(*row.figures);
+        ++(outcome.kind == Outcome::Kind::untestable ? untestable : tested);
+        if (outcome.differs()) {
             reference_preferred += outcome.reference_preferred ? 1 : 0;
             differing.push_back(fmt::format("{} ({} preferred, p {})", place(row),
                                             outcome.reference_preferred ? reference : test,
                                             p_phrase(row.figures->participant.p_holm)));
         }
     }
+    const std::string too_few = fmt::format("fewer than {}", participants_text(fewest_participants(1)));
     if (tested == 0) {
-        return "";
+        return untestable == 0 ? ""
+                               : fmt::format("{} against {} cannot be tested in any condition: {}", test,
+                                             reference, too_few);
     }
     const std::size_t count = differing.size();
-    const std::string start = fmt::format("{} differs from {} in {} of {} condition{}", test, reference,
-                                          count, tested, tested == 1 ? "" : "s");
+    const std::string start = fmt::format(
+        "{} differs from {} in {} of {} condition{}{}", test, reference, count, tested,
+        tested == 1 ? "" : "s",
+        untestable == 0 ? "" : fmt::format(" ({} more cannot be tested: {})", untestable, too_few));
     if (count > 0 && count == tested && (reference_preferred == 0 || reference_preferred == count)) {
         return fmt::format("{}, {} preferred", start, reference_preferred == 0 ? test : reference);
     }
@@ -208,8 +214,8 @@ std::string simulated_notice(const Study& study) {
     }
     return found.simulated_runs == found.runs
                ? "SIMULATED DATA: no person gave these answers."
-               : fmt::format("SIMULATED DATA: {} of the {} runs are simulated.", found.simulated_runs,
-                             found.runs);
+               : fmt::format("SIMULATED DATA: {} of the {} runs {} simulated.", found.simulated_runs,
+                             found.runs, found.simulated_runs == 1 ? "is" : "are");
 }
 
 } // namespace stats

@@ -3,7 +3,9 @@
 
 #include <stats/groups.h>
 
-#include <tuple>
+#include <map>
+#include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -33,10 +35,31 @@ struct Key {
     }
 };
 
+/// The distances and azimuths at which a pair of shaders has answers.
+struct Levels {
+    std::set<std::string> distances;
+    std::set<double> azimuths_deg;
+};
+
+std::map<std::pair<std::string, std::string>, Levels> answered_levels(const Study& study) {
+    std::map<std::pair<std::string, std::string>, Levels> result;
+    for (const Run& run : study.runs) {
+        for (const Trial& trial : run.log.trials) {
+            if (run.used && trial.reference_chosen) {
+                Levels& levels = result[{trial.condition.reference, trial.condition.test}];
+                levels.distances.insert(trial.condition.distance);
+                levels.azimuths_deg.insert(trial.condition.azimuth_deg);
+            }
+        }
+    }
+    return result;
+}
+
 } // namespace
 
 std::vector<GroupRow> make_groups(const Study& study, const Settings& settings) {
     AnswersByKey<Key> counted;
+    auto levels = answered_levels(study);
     for (const Run& run : study.runs) {
         if (!run.used) {
             continue;
@@ -44,8 +67,14 @@ std::vector<GroupRow> make_groups(const Study& study, const Settings& settings) 
         for (const Trial& trial : run.log.trials) {
             const Condition& c = trial.condition;
             counted.add({By::all, {c.reference, c.test, "", 0}}, run, trial);
-            counted.add({By::distance, {c.reference, c.test, c.distance, 0}}, run, trial);
-            counted.add({By::azimuth, {c.reference, c.test, "", c.azimuth_deg}}, run, trial);
+            // A factor with one level would test the same answers again.
+            const auto& [distances, azimuths_deg] = levels[{c.reference, c.test}];
+            if (distances.size() > 1) {
+                counted.add({By::distance, {c.reference, c.test, c.distance, 0}}, run, trial);
+            }
+            if (azimuths_deg.size() > 1) {
+                counted.add({By::azimuth, {c.reference, c.test, "", c.azimuth_deg}}, run, trial);
+            }
         }
     }
     const auto keys = counted.keys();

@@ -55,6 +55,14 @@ std::string p_phrase(double p) {
     return p < 0.0005 ? "< 0.001" : fmt::format("= {:.3f}", p);
 }
 
+std::string counted(std::size_t count, std::string_view noun) {
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::string all_counted(std::size_t count, std::string_view noun) {
+    return count == 1 ? fmt::format("the only {}", noun) : "the " + counted(count, noun);
+}
+
 std::string listed(std::vector<std::string> items) {
     constexpr std::size_t longest_list = 6;
     if (items.size() > longest_list) {

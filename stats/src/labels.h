@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <stats/log.h>
@@ -34,6 +35,10 @@ std::string p_text(double p);
 
 /// A p-value for running text: "= 0.034" or "< 0.001"; never the level of .05 for one above it ("= 0.0501").
 std::string p_phrase(double p);
+
+/// "1 answer", "2 answers"; of all there are, "the only row", "the 2 rows".
+std::string counted(std::size_t count, std::string_view noun);
+std::string all_counted(std::size_t count, std::string_view noun);
 
 /// "a, b and c"; a long list ends in "and 7 others". Not for an empty one.
 std::string listed(std::vector<std::string> items);

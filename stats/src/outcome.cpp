@@ -41,9 +41,9 @@ Outcome outcome_of(const Figures& figures) {
     } else if (outcome.within_bounds) {
         outcome.kind = Outcome::Kind::as_good;
     } else if (!level.p_equivalence) {
-        outcome.kind = Outcome::Kind::untestable;
         outcome.why =
-            "all participants have the same proportion, which leaves no spread to judge equality by";
+            "no difference is shown, and all participants have the same proportion, which leaves no "
+            "spread to judge equality by";
     }
     return outcome;
 }
@@ -61,8 +61,6 @@ std::string sign_flip_phrase(const SignFlip& flip) {
            (flip.exact ? "" : fmt::format(" (drawn at random, standard error {:.2g})", flip.standard_error));
 }
 
-std::string participants_text(std::size_t count) {
-    return fmt::format("{} participant{}", count, count == 1 ? "" : "s");
-}
+std::string participants_text(std::size_t count) { return counted(count, "participant"); }
 
 } // namespace stats

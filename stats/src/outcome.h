@@ -16,7 +16,7 @@ struct Outcome {
         differs,   ///< the sign-flip p, by Holm's method over the rows of the table, is at most alpha
         as_good,   ///< it is not, and the two one-sided t-tests place the mean within the bounds
         undecided, ///< neither
-        untestable ///< too few participants, or no spread between them to judge equality by
+        untestable ///< too few participants for any sign-flip p to be at most alpha
     };
     Kind kind = Kind::undecided;
     bool within_bounds = false;       ///< the two one-sided t-tests are significant

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
+#include <utility>
 
 #include <fmt/format.h>
 #include <png.h>
@@ -26,6 +28,44 @@ std::optional<std::filesystem::path> stimulus(const std::filesystem::path& stimu
         return std::nullopt;
     }
     return stimuli / fmt::format("{}_{}_{:03}.png", shader, condition.distance, static_cast<int>(azimuth));
+}
+
+/// Reads pictures and keeps the last reference: rows of one configuration share it.
+class PictureReader {
+public:
+    static std::optional<Picture> read(const std::filesystem::path& file) {
+        const auto png = read_png(file);
+        return png ? std::optional(decoded(*png, file.string())) : std::nullopt;
+    }
+
+    const std::optional<Picture>& reference(const std::filesystem::path& file) {
+        if (file != file_) {
+            picture_ = read(file);
+            file_ = file;
+        }
+        return picture_;
+    }
+
+private:
+    std::filesystem::path file_;
+    std::optional<Picture> picture_;
+};
+
+std::optional<ConditionPictures> pictures_in(const std::filesystem::path& folder, const Condition& condition,
+                                             PictureReader& reader) {
+    const auto first = stimulus(folder, condition.reference, condition);
+    const auto second = stimulus(folder, condition.test, condition);
+    if (!first || !second) {
+        return std::nullopt;
+    }
+    const std::optional<Picture>& reference = reader.reference(*first);
+    const auto test = PictureReader::read(*second);
+    if (!reference || !test || reference->width != test->width || reference->height != test->height) {
+        return std::nullopt;
+    }
+    const auto small = [](const Picture& picture) { return encoded(thumbnail(picture, thumbnail_width)); };
+    return ConditionPictures{small(*reference), small(*test),
+                             small(difference(*reference, *test, difference_gain))};
 }
 
 } // namespace
@@ -110,36 +150,33 @@ Picture difference(const Picture& a, const Picture& b, double gain) {
     return result;
 }
 
-std::vector<std::optional<ConditionPictures>> condition_pictures(std::span<const Row> rows,
-                                                                 const std::filesystem::path& stimuli) {
-    // Rows of one configuration share the reference's picture; keep the last one decoded.
-    std::filesystem::path reference_file;
-    std::optional<Picture> reference;
-    const auto load = [](const std::filesystem::path& file) -> std::optional<Picture> {
-        const auto png = read_png(file);
-        return png ? std::optional(decoded(*png, file.string())) : std::nullopt;
-    };
+std::vector<std::filesystem::path> kept_stimuli(const Study& study, const std::filesystem::path& folder) {
+    std::map<std::string, std::size_t> runs;
+    for (const Run& run : study.runs) {
+        if (run.used && !run.sidecar.stimuli.empty()) {
+            ++runs[run.sidecar.stimuli];
+        }
+    }
+    std::vector<std::pair<std::string, std::size_t>> by_runs(runs.begin(), runs.end());
+    std::stable_sort(by_runs.begin(), by_runs.end(),
+                     [](const auto& a, const auto& b) { return a.second > b.second; });
+    std::vector<std::filesystem::path> folders;
+    for (const auto& [digits, count] : by_runs) {
+        folders.push_back(folder / "stimuli" / digits);
+    }
+    folders.push_back(folder / "stimuli");
+    return folders;
+}
+
+std::vector<std::optional<ConditionPictures>>
+condition_pictures(std::span<const Row> rows, std::span<const std::filesystem::path> folders) {
+    PictureReader reader;
     std::vector<std::optional<ConditionPictures>> result;
     for (const Row& row : rows) {
         result.emplace_back();
-        const auto first = stimulus(stimuli, row.condition.reference, row.condition);
-        const auto second = stimulus(stimuli, row.condition.test, row.condition);
-        if (!first || !second) {
-            continue;
+        for (auto folder = folders.begin(); folder != folders.end() && !result.back(); ++folder) {
+            result.back() = pictures_in(*folder, row.condition, reader);
         }
-        if (*first != reference_file) {
-            reference_file = *first;
-            reference = load(*first);
-        }
-        const auto test = load(*second);
-        if (!reference || !test || reference->width != test->width || reference->height != test->height) {
-            continue;
-        }
-        const auto small = [](const Picture& picture) {
-            return encoded(thumbnail(picture, thumbnail_width));
-        };
-        result.back() = {small(*reference), small(*test),
-                         small(difference(*reference, *test, difference_gain))};
     }
     return result;
 }

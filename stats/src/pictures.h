@@ -41,10 +41,14 @@ struct ConditionPictures {
     std::string reference, test, difference;
 };
 
-/// The pictures of each row, in the rows' order, from the files <shader>_<distance>_<azimuth, 3 digits>.png;
-/// nothing where one is missing or both are not of one size. Throws support::InputError for one that is no
-/// PNG.
-std::vector<std::optional<ConditionPictures>> condition_pictures(std::span<const Row> rows,
-                                                                 const std::filesystem::path& stimuli);
+/// The folders in which a study keeps copies of the pictures shown, those of most runs first, then its folder
+/// of stimuli itself; they need not be there.
+std::vector<std::filesystem::path> kept_stimuli(const Study& study, const std::filesystem::path& folder);
+
+/// The pictures of each row, in the rows' order, from the files <shader>_<distance>_<azimuth, 3 digits>.png
+/// of the first folder that has both in one size; nothing where none has. Throws support::InputError for one
+/// that is no PNG.
+std::vector<std::optional<ConditionPictures>>
+condition_pictures(std::span<const Row> rows, std::span<const std::filesystem::path> folders);
 
 } // namespace stats

@@ -39,9 +39,8 @@ std::string exact_text(const PowerPlan& plan) {
     const double least = detectable_proportion(n, plan.power, plan.level);
     std::string text =
         fmt::format("Exact, for independent answers (two-sided binomial test, level {}):\n  {} participants "
-                    "x {} trials = {} "
-                    "answers find {} with a power of {}\n\n  {:>10}  {:>14}  {:>12}  {:>16}\n",
-                    plan.level, plan.participants, plan.trials, n,
+                    "x {} = {} answers find {} with a power of {}\n\n  {:>10}  {:>14}  {:>12}  {:>16}\n",
+                    plan.level, plan.participants, counted(static_cast<std::size_t>(plan.trials), "trial"), n,
                     std::isnan(least) ? "no proportion" : fmt::format("a proportion of {:.3f}", least),
                     plan.power, "proportion", "power of these", "answers for", "participants for");
     const auto fewest = static_cast<std::int64_t>(fewest_participants(1));
@@ -78,10 +77,10 @@ std::int64_t participants_needed(const PowerPlan& plan, double spread) {
 
 std::string simulated_text(const PowerPlan& plan) {
     std::string text = fmt::format(
-        "Simulated, for participants who differ ({} studies each, seed {}; {} participants x {} trials):\n\n"
+        "Simulated, for participants who differ ({} studies each, seed {}; {} participants x {}):\n\n"
         "  {:>6}  {:>10}  {:>26}  {:>18}\n",
-        plan.studies, plan.seed, plan.participants, plan.trials, "spread", "proportion",
-        "power, sign-flip test", "pooled chi-square");
+        plan.studies, plan.seed, plan.participants, counted(static_cast<std::size_t>(plan.trials), "trial"),
+        "spread", "proportion", "power, sign-flip test", "pooled chi-square");
     for (const double spread : plan.spreads) {
         for (const double proportion : {0.5, plan.proportion}) {
             const SimulatedPower power = simulate(plan, plan.participants, proportion, spread).power;

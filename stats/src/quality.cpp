@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -68,15 +69,19 @@ void add_counts(std::vector<std::string>& notes, std::vector<std::string> items,
     }
 }
 
-/// What a run that counts has that its protocol would not give: more trials, gaps in their numbers, answers
-/// that took longer than any session.
+/// What a run that counts has that its protocol would not give: fewer trials or more, gaps in their numbers,
+/// answers that took longer than any session.
 void add_irregular_runs(std::vector<std::string>& notes, const Study& study) {
     constexpr double longest_s = 3600;
-    std::vector<std::string> extra, gaps, slow;
+    std::vector<std::string> short_of, extra, gaps, slow;
     for (const Run& run : study.runs) {
         const auto& trials = run.log.trials;
         if (!run.used || trials.empty()) {
             continue;
+        }
+        if (!run.complete) {
+            short_of.push_back(fmt::format("sub-{} counts with {} of {} trials", run.participant,
+                                           trials.size(), run.trials_expected));
         }
         if (trials.size() > run.trials_expected) {
             extra.push_back(
@@ -95,6 +100,7 @@ void add_irregular_runs(std::vector<std::string>& notes, const Study& study) {
             slow.push_back(fmt::format("sub-{} ({} of {})", run.participant, slow_ones, trials.size()));
         }
     }
+    add_counts(notes, std::move(short_of), "Incomplete runs");
     add_counts(notes, std::move(extra), "More trials than planned, kept");
     add_counts(notes, std::move(gaps), "Numbers of trials are missing");
     add_counts(notes, std::move(slow), "Answers after more than an hour, kept");
@@ -151,9 +157,22 @@ std::vector<std::string> quality_notes(const Study& study, std::span<const Parti
     add_counts(notes, std::move(always), "Always chose the same interval, kept");
     add_counts(notes, std::move(favours), "Favour one interval, whatever it showed (p < 0.001), kept");
     if (dropped > 0) {
-        notes.push_back(fmt::format("Dropped frames: {} in {} runs.", dropped, runs_dropping));
+        notes.push_back(fmt::format("Dropped frames: {} in {} run{}.", dropped, runs_dropping,
+                                    runs_dropping == 1 ? "" : "s"));
     }
     add_irregular_runs(notes, study);
+    std::set<std::string> stimuli;
+    for (const Run& run : study.runs) {
+        if (run.used && !run.sidecar.stimuli.empty()) {
+            stimuli.insert(run.sidecar.stimuli);
+        }
+    }
+    if (stimuli.size() > 1) {
+        notes.push_back(fmt::format(
+            "Runs with {} different sets of stimuli are taken together; where pictures are shown, "
+            "they are those of most runs.",
+            stimuli.size()));
+    }
     if (study.protocols > 1) {
         notes.push_back(
             fmt::format("Runs of {} different protocol files are taken together.", study.protocols));

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "findings.h"
+#include "labels.h"
 #include "outcome.h"
 #include "plot.h"
 #include "report_sections.h"
@@ -52,10 +53,10 @@ std::string head(const Study& study, const std::string& notice) {
 std::string answer(const Analysis& analysis) {
     const Contents found = contents(analysis.study);
     std::string html = fmt::format("<main>\n<h1>{}</h1>\n<p class=\"facts\">Two-alternative forced choice: "
-                                   "{}, {} answers, {} "
-                                   "conditions.</p>\n",
+                                   "{}, {}, {}.</p>\n",
                                    html_text(analysis.study.name), participants_text(found.participants),
-                                   found.trials - found.unanswered, analysis.rows.size());
+                                   counted(found.trials - found.unanswered, "answer"),
+                                   counted(analysis.rows.size(), "condition"));
     html += "<ul class=\"answer\">\n";
     for (const Verdict& verdict : verdicts(analysis)) {
         html += fmt::format("<li><strong>{}</strong> {}</li>\n", html_text(verdict.headline),

@@ -34,16 +34,22 @@ h3 { font-size: 1rem; margin: 1.4rem 0 .4rem; }
 .thumb { margin: 0; width: 8.4rem; } .thumb img { display: block; width: 100%; height: auto; }
 .thumb figcaption { font-size: .75rem; line-height: 1.3; }
 .scroll, .card { overflow-x: auto; }
+/* A shadow at the right edge while there is more to scroll to. */
+.scroll { background: linear-gradient(to left, var(--paper) 50%, transparent) 100% 0 / 2rem 100% local no-repeat,
+                      linear-gradient(to left, var(--line), transparent) 100% 0 / 1rem 100% scroll no-repeat; }
 .scroll th:first-child { position: sticky; left: 0; background: var(--paper); }
 table { border-collapse: separate; border-spacing: 0; width: 100%; font-size: .92rem;
         font-variant-numeric: tabular-nums; }
 th, td { padding: .3rem .7rem; text-align: right; white-space: nowrap; border-bottom: 1px solid var(--line); }
 th { font-weight: 600; }
-.details { font-size: .82rem; }
-.details th, .details td { padding: .2rem .45rem; }
+.details { font-size: .8rem; }
+.details th, .details td { padding: .2rem .35rem; }
 .details thead th { white-space: normal; vertical-align: bottom; }
 th[scope=row], th:first-child { text-align: left; }
 .details th:nth-child(2), .details td:nth-child(2) { text-align: left; }
+@media screen {
+  .details td:nth-child(2) { white-space: normal; min-width: 7rem; }
+  .details tbody th[scope=row] { white-space: normal; min-width: 7.5rem; } }
 th[scope=row] { font-weight: normal; }
 th[scope=colgroup] { text-align: center; }
 thead tr:last-child th { border-bottom: 2px solid var(--soft); }

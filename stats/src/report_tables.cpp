@@ -56,8 +56,8 @@ struct Columns {
 
 const Columns& pooled_columns() {
     static const Columns columns{
-        {"Reference chosen", "Proportion", "Wilson 95 %, pooled", "Exact 95 %, pooled", "g", "p", "p exact",
-         "Holm of p", "B.\u2013H. of p", "Equivalence p", "BF<sub>01</sub>"},
+        {"Reference chosen", "Propor&shy;tion", "Wilson 95 %, pooled", "Exact 95 %, pooled", "g", "p",
+         "p exact", "Holm of p", "B.\u2013H. of p", "Equiva&shy;lence p", "BF<sub>01</sub>"},
         [](const Tally& tally, const Figures& f) {
             return std::vector<std::string>{fmt::format("{} of {}", tally.reference_chosen, tally.n),
                                             number(f.proportion, 3),
@@ -76,8 +76,8 @@ const Columns& pooled_columns() {
 
 const Columns& participant_columns() {
     static const Columns columns{
-        {"Participants", "Mean proportion", "t 95 %", "Sign-flip p", "Holm of it", "t-test p",
-         "Equivalence p (t)", "Mixed model: logit", "standard error", "p", "SD between", "p of SD"},
+        {"Partici&shy;pants", "Mean propor&shy;tion", "t 95 %", "Sign-flip p", "Holm of it", "t-test p",
+         "Equiva&shy;lence p (t)", "Mixed model: logit", "standard error", "p", "SD between", "p of SD"},
         [](const Tally&, const Figures& f) {
             const ParticipantLevel& level = f.participant;
             const double missing = std::nan("");
@@ -145,10 +145,9 @@ std::string group_label(const GroupRow& group) {
 
 /// What a table's p-values are corrected for, and where its digits are.
 std::string corrections(std::size_t rows, std::string_view file) {
-    return fmt::format(
-        "Corrected over the {} rows of the table: the sign-flip p by Holm, the chi-square's p by Holm "
-        "and Benjamini\u2013Hochberg; no other p. Marked: p above {}. {} has every digit.",
-        rows, alpha, file);
+    return fmt::format("Corrected over {} of the table: the sign-flip p by Holm, the chi-square's p by Holm "
+                       "and Benjamini\u2013Hochberg; no other p. Marked: p above {}. {} has every digit.",
+                       all_counted(rows, "row"), alpha, file);
 }
 
 } // namespace
@@ -190,9 +189,10 @@ std::string shaders_html(const Analysis& analysis) {
                         group.tally,
                         group.figures});
     }
-    return paragraph("Each shader over all conditions, by distance and by azimuth. " +
-                         corrections(analysis.groups.size(), "shaders.tsv"),
-                     "note") +
+    return paragraph(
+               "Each shader over all conditions, and by distance and by azimuth where there are several. " +
+                   corrections(analysis.groups.size(), "shaders.tsv"),
+               "note") +
            both_tables({"Shader", "Verdict"}, 1, rows);
 }
 

@@ -116,17 +116,17 @@ std::string methods_html(const Analysis& analysis) {
     for (const auto& row : analysis.groups) {
         drawn |= row.figures && !row.figures->participant.sign_flip.exact;
     }
-    std::string html =
-        paragraph(fmt::format("{} gave {} two-alternative forced-choice answers in {} "
-                              "conditions{}. Of each participant's "
-                              "runs the last complete one counts or, where none is complete, the last that "
-                              "holds trials; trials without an "
-                              "answer were left out.",
-                              participants_text(found.participants), found.trials - found.unanswered,
-                              analysis.rows.size(), is_simulated(analysis.study) ? " (simulated data)" : ""));
+    std::string html = paragraph(fmt::format(
+        "{} gave {} in {}{}. Of each participant's "
+        "runs the last complete one counts or, where none is complete, the last that "
+        "holds trials; trials without an "
+        "answer were left out.",
+        participants_text(found.participants),
+        counted(found.trials - found.unanswered, "two-alternative forced-choice answer"),
+        counted(analysis.rows.size(), "condition"), is_simulated(analysis.study) ? " (simulated data)" : ""));
     html += paragraph(fmt::format(
-        "In each condition, and for each shader over all conditions, by distance and by azimuth, the numbers "
-        "of "
+        "In each condition, and for each shader over all conditions, by distance and by azimuth where there "
+        "are several, the numbers of "
         "answers that chose the reference and the other shader were compared with half and half by a "
         "one-sample "
         "chi-square test (df = 1, no continuity correction, alpha = {}), as by Jimenez, Sundstedt and "
@@ -137,10 +137,10 @@ std::string methods_html(const Analysis& analysis) {
         "as "
         "Cohen's g = |p - 1/2|. P-values of the chi-square and the sign-flip tests were corrected by Holm's "
         "method, "
-        "those of the chi-square tests also by Benjamini and Hochberg's, within two families: the {} "
-        "conditions, and "
-        "the {} rows of the shaders' table.",
-        alpha, significance(analysis.rows).tests, analysis.groups.size()));
+        "those of the chi-square tests also by Benjamini and Hochberg's, within two families: {}, "
+        "and {} of the shaders' table.",
+        alpha, all_counted(significance(analysis.rows).tests, "condition"),
+        all_counted(analysis.groups.size(), "row")));
     html += paragraph(fmt::format(
         "Answers of one participant are not independent. Taking participants as the sample, each "
         "participant's "
@@ -257,9 +257,9 @@ std::string stimuli_html(const Analysis& analysis,
             "--stimuli DIR, the report shows them beside their numbers.</figcaption></figure>\n",
             image(*contact_sheet, "Contact sheet of the stimuli"));
     }
-    return paragraph(
-        "The study's folder holds no stimuli/contact_sheet.png, so the stimuli are not shown here; "
-        "--stimuli DIR names their folder.");
+    return paragraph("The study's folder holds no pictures of the stimuli and no stimuli/contact_sheet.png, "
+                     "so they are not "
+                     "shown here; --stimuli DIR names their folder.");
 }
 
 } // namespace stats

@@ -79,6 +79,15 @@ std::optional<std::int64_t> whole(const json& object, const fs::path& file, cons
     return value;
 }
 
+/// What names the folder of the study's copies of the pictures; empty for what is no SHA-256.
+std::string stimuli_digits(const json& object, const fs::path& file) {
+    constexpr std::size_t digest_length = 64, kept = 12;
+    const std::string digest = text(object, file, "StimuliManifestDigest").value_or("");
+    const bool whole_digest =
+        digest.size() == digest_length && digest.find_first_not_of("0123456789abcdef") == std::string::npos;
+    return whole_digest ? digest.substr(0, kept) : "";
+}
+
 } // namespace
 
 Description read_description(const fs::path& file) {
@@ -95,6 +104,7 @@ Sidecar read_sidecar(const fs::path& file) {
     }
     sidecar.protocol = text(object, file, "Protocol").value_or("");
     sidecar.protocol_digest = text(object, file, "ProtocolDigest").value_or("");
+    sidecar.stimuli = stimuli_digits(object, file);
     sidecar.simulated = simulated_in(object, file);
     return sidecar;
 }

@@ -14,6 +14,7 @@
 
 #include <support/error.h>
 
+#include "labels.h"
 #include "sidecar.h"
 
 namespace stats {
@@ -192,10 +193,10 @@ void check_protocols(Study& study, const fs::path& folder, bool mixed_allowed) {
             const bool names = run.sidecar.protocol != name;
             study.bad_files.push_back(
                 {run.file,
-                 fmt::format("{}: {}: expected \"{}\" as in {} runs, found \"{}\" "
+                 fmt::format("{}: {}: expected \"{}\" as in {}, found \"{}\" "
                              "(--mixed-protocols takes them together)",
                              (folder / sidecar).string(), names ? "Protocol" : "ProtocolDigest",
-                             (names ? name : digest).substr(0, 64), most->second,
+                             (names ? name : digest).substr(0, 64), counted(most->second, "run"),
                              (names ? run.sidecar.protocol : run.sidecar.protocol_digest).substr(0, 64))});
         }
     }
@@ -241,7 +242,8 @@ Study read_study(const fs::path& folder, const Leniency& leniency) {
         const std::size_t others = study.bad_files.size() - 1;
         throw support::input_error(
             "{}{}", study.bad_files.front().why,
-            others == 0 ? "" : fmt::format(" ({} more bad files; --skip-bad leaves them out)", others));
+            others == 0 ? ""
+                        : fmt::format(" ({}; --skip-bad leaves them out)", counted(others, "more bad file")));
     }
 
     if (study.runs.empty()) {
@@ -258,8 +260,8 @@ Study read_study(const fs::path& folder, const Leniency& leniency) {
     study.protocols = protocols.size();
     const Contents found = contents(study);
     if (found.trials == found.unanswered) {
-        throw support::input_error("{}: expected at least one answer, found none in {} logs", folder.string(),
-                                   study.runs.size());
+        throw support::input_error("{}: expected at least one answer, found none in {}", folder.string(),
+                                   counted(study.runs.size(), "log"));
     }
     return study;
 }

@@ -16,7 +16,7 @@ namespace {
 using nlohmann::ordered_json;
 
 // Raised whenever a formula changes in a way that changes a number.
-constexpr int formulas_version = 2;
+constexpr int formulas_version = 3;
 
 /// A number; infinities as texts, and null for what is missing, as JSON has neither.
 ordered_json number(double value) {

@@ -151,12 +151,11 @@ std::string evidence(const GroupRow& pair, std::size_t tests) {
     } else {
         text += fmt::format(", by {}: no interval over participants", participants_text(level.participants));
     }
-    text +=
-        fmt::format(". Participants as the sample: sign-flip p {}, by Holm's method over the {} rows of the "
-                    "shaders' table p {}; equivalence {}; {}",
-                    sign_flip_phrase(level.sign_flip), tests, p_phrase(level.p_holm),
-                    level.p_equivalence ? "p " + p_phrase(*level.p_equivalence) : "cannot be tested",
-                    mixed_text(level.mixed));
+    text += fmt::format(". Participants as the sample: sign-flip p {}, by Holm's method over {} of the "
+                        "shaders' table p {}; equivalence {}; {}",
+                        sign_flip_phrase(level.sign_flip), all_counted(tests, "row"), p_phrase(level.p_holm),
+                        level.p_equivalence ? "p " + p_phrase(*level.p_equivalence) : "cannot be tested",
+                        mixed_text(level.mixed));
     return text + fmt::format(". As if all answers were independent (pooled): Wilson 95 % interval {:.1f} to "
                               "{:.1f} %, chi-square p {}, equivalence p {}, {}.",
                               100 * f.ci.low, 100 * f.ci.high, p_phrase(f.chi_square.p),

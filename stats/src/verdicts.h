@@ -11,7 +11,8 @@
 namespace stats {
 
 /// Where the pooled tests (answers as the sample) and those with the participants as the sample disagree at
-/// the level alpha, in sentences; one that they agree where they do.
+/// the level alpha, in sentences; one that they agree where they do
+/// and both can be tested, or that this cannot be told.
 std::vector<std::string> disagreements(const Analysis& analysis);
 
 /// Whether they disagree on a shader over all conditions.

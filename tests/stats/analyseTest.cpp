@@ -204,9 +204,87 @@ TEST(AnalyseTest, powerNeedsNoLogs) {
     EXPECT_TRUE(read_file(out / "power.tsv").starts_with("participants\ttrials\tproportion\tspread\tpower"));
 }
 
-TEST(AnalyseTest, powerTakesNoStudy) {
+TEST(AnalyseTest, optionsThatWouldBeIgnoredAreRefused) {
     const StudyFolder folder;
-    EXPECT_THROW(analyse({folder.path().string(), "--power"}), support::InputError);
+    folder.write_log("01", log_text("rt"));
+    const std::string study = folder.path().string(), out = (folder.path() / "out").string();
+    EXPECT_EQ(message_of<support::InputError>([&] {
+                  analyse({study, "--power"});
+              }),
+              "STUDY: expected not to be given with --power, which reads no logs");
+    for (const std::vector<std::string>& option : std::vector<std::vector<std::string>>{
+             {"--bounds", "0.4,0.6"}, {"--stimuli", study}, {"--skip-bad"}, {"--mixed-protocols"}}) {
+        std::vector<std::string> arguments{"--power", "--studies", "100"};
+        arguments.insert(arguments.end(), option.begin(), option.end());
+        EXPECT_EQ(message_of<support::InputError>([&] { analyse(arguments); }),
+                  option[0] + ": expected not to be given with --power, which reads no logs");
+    }
+    for (const auto& [option, value] : {std::pair("--participants", "24"),
+                                        {"--trials", "24"},
+                                        {"--proportion", "0.6"},
+                                        {"--spread", "0.5"},
+                                        {"--studies", "200"}}) {
+        EXPECT_EQ(message_of<support::InputError>([&] {
+                      analyse({study, "--out", out, option, value});
+                  }),
+                  std::string(option) + ": expected with --power only, found without it");
+    }
+    EXPECT_FALSE(fs::exists(out));
+}
+
+TEST(AnalyseTest, whatIsNotANumberIsRefused) {
+    const StudyFolder folder;
+    folder.write_log("01", log_text("rt"));
+    const std::string study = folder.path().string(), out = (folder.path() / "out").string();
+    for (const char* value : {"nan", "-nan", "NAN", "inf", "-inf", "1e999", "x"}) {
+        EXPECT_THROW(analyse({study, "--out", out, "--bounds", std::string(value) + ",0.6"}), CLI::ParseError)
+            << value;
+        EXPECT_THROW(analyse({study, "--out", out, "--bounds", "0.4," + std::string(value)}), CLI::ParseError)
+            << value;
+        for (const char* option :
+             {"--spread", "--proportion", "--participants", "--trials", "--studies", "--seed"}) {
+            EXPECT_THROW(analyse({"--power", option, value, "--out", out}), CLI::ParseError)
+                << option << " " << value;
+        }
+    }
+    EXPECT_THROW(analyse({"--power", "--seed=-1", "--out", out}), CLI::ParseError);
+    EXPECT_EQ(message_of<CLI::ParseError>([&] {
+                  analyse({"--power", "--spread", "0.5,nan"});
+              }),
+              "--spread: Value nan not in range 0 to 5");
+    EXPECT_FALSE(fs::exists(out));
+}
+
+TEST(AnalyseTest, stimuliThatAreNotThereAreRefused) {
+    const StudyFolder folder;
+    folder.write_log("01", log_text("rt"));
+    const fs::path out = folder.path() / "out", empty = folder.path() / "empty";
+    fs::create_directories(empty);
+    const auto message = [&](const fs::path& stimuli) {
+        return message_of<support::InputError>([&] {
+            analyse({folder.path().string(), "--out", out.string(), "--stimuli", stimuli.string()});
+        });
+    };
+    EXPECT_EQ(message(folder.path() / "none"), "--stimuli: " + (folder.path() / "none").string() +
+                                                   ": expected a folder of stimuli, found nothing");
+    EXPECT_TRUE(message(folder.write("file", "")).ends_with("expected a folder of stimuli, found a file"));
+    EXPECT_TRUE(
+        message(empty).starts_with("--stimuli: " + empty.string() + ": expected pictures of the study's"));
+    EXPECT_FALSE(fs::exists(out));
+}
+
+TEST(AnalyseTest, incompleteRunsAreTold) {
+    const StudyFolder folder;
+    folder.write_log("01", log_text("rtrt"));
+    folder.write_log("02", log_text("r"));
+    EXPECT_NE(analyse(folder.path(), folder.path() / "out").find("sub-02 counts with 1 of 4 trials"),
+              std::string::npos);
+}
+
+TEST(AnalyseTest, helpFitsAPage) {
+    CLI::App app("test");
+    stats::add_command(app);
+    EXPECT_LT(app.get_subcommand("analyse")->help().size(), 4096u);
 }
 
 TEST(AnalyseTest, studyAndOutAreRequiredOtherwise) {

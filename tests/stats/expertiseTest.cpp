@@ -46,6 +46,16 @@ TEST(ExpertiseTest, comparesErrorsWithAndWithout) {
               "10.0 answers each; no significant difference (rank-sum p = 0.100).");
 }
 
+TEST(ExpertiseTest, oneParticipantIsNotPlural) {
+    const stats::GroupErrors none{}, one{1, 2, 10, 0.2}, two{2, 2, 20, 0.1};
+    EXPECT_EQ(stats::expertise_sentence({"art", "participants.tsv", one, none, {}, {}}),
+              "\"art\": 1 participant with and 0 without; nothing to compare.");
+    EXPECT_EQ(
+        stats::expertise_sentence({"art", "participants.tsv", one, two, stats::RankSum{.p = 0.5}, {}}),
+        "\"art\": 1 participant with it made 2.0 errors in 10.0 answers, 2 without it 1.0 errors in 10.0 "
+        "answers each; no significant difference (rank-sum p = 0.500).");
+}
+
 TEST(ExpertiseTest, findsItsColumnsInEitherFile) {
     const StudyFolder folder;
     write_participants(folder);

@@ -117,7 +117,7 @@ TEST(FindingsTest, simulatedNoticeCountsTheRuns) {
     study.runs[2].sidecar.simulated = true; // does not count
     EXPECT_EQ(stats::simulated_notice(study), "");
     study.runs[0].sidecar.simulated = true;
-    EXPECT_EQ(stats::simulated_notice(study), "SIMULATED DATA: 1 of the 2 runs are simulated.");
+    EXPECT_EQ(stats::simulated_notice(study), "SIMULATED DATA: 1 of the 2 runs is simulated.");
     study.simulated = true;
     EXPECT_EQ(stats::simulated_notice(study), "SIMULATED DATA: no person gave these answers.");
 }

@@ -89,7 +89,9 @@ TEST(GroupsTest, correctionsRunOverTheRowsOfTheTable) {
 
 TEST(GroupsTest, tsvHasAsManyFieldsAsColumns) {
     const StudyFolder folder;
-    folder.write_log("01", log_text("rtn") + log_line(4, 'n', "no_sss"));
+    folder.write_log("01", log_text("rtn") + log_line(4, 'n', "no_sss") +
+                               log_line(5, 'r', "ss_full", "zoom", 60) +
+                               log_line(6, 'n', "ss_full", "near", 60));
     const std::string text = to_tsv(make_groups(stats::read_study(folder.path())), false);
     std::istringstream lines(text);
     std::set<std::ptrdiff_t> tabs;
@@ -97,10 +99,47 @@ TEST(GroupsTest, tsvHasAsManyFieldsAsColumns) {
     for (std::string line; std::getline(lines, line); ++count) {
         tabs.insert(std::count(line.begin(), line.end(), '\t'));
     }
-    EXPECT_EQ(count, 1 + 2 * 3);
+    EXPECT_EQ(count, 1 + 1 + 4); // no_sss all; ss_full all, far, near, zoom
     EXPECT_EQ(tabs.size(), 1u);
     EXPECT_TRUE(text.starts_with("reference\ttest\tgroup\tlevel\tn\treference_chosen\tproportion"));
-    EXPECT_NE(text.find("ts\tno_sss\tdistance\tfar\t0\t0\tn/a"), std::string::npos);
+    EXPECT_NE(text.find("ts\tss_full\tdistance\tnear\t0\t0\tn/a"), std::string::npos);
+}
+
+/// The rows' groups and levels, in their order.
+std::vector<std::string> levels_of(const std::string& log) {
+    const StudyFolder folder;
+    folder.write_log("01", log);
+    std::vector<std::string> levels;
+    for (const GroupRow& group : make_groups(stats::read_study(folder.path()))) {
+        levels.push_back(group.by + " " + group.level);
+    }
+    return levels;
+}
+
+TEST(GroupsTest, aFactorWithOneLevelHasNoRows) {
+    using Levels = std::vector<std::string>;
+    const auto line = [](int trial, const char* distance, int azimuth_deg, char answer = 'r') {
+        return log_line(trial, answer, "ss_full", distance, azimuth_deg);
+    };
+    const std::string one = log_header + line(1, "far", 60) + line(2, "far", 60);
+    EXPECT_EQ(levels_of(one), (Levels{"all all"}));
+    EXPECT_EQ(levels_of(one + line(3, "near", 60)), (Levels{"all all", "distance far", "distance near"}));
+    EXPECT_EQ(levels_of(one + line(3, "far", 0)), (Levels{"all all", "azimuth 0", "azimuth 60"}));
+    // A second level without an answer leaves the first with all of them.
+    EXPECT_EQ(levels_of(one + line(3, "near", 0, 'n')), (Levels{"all all"}));
+    // Another pair's levels are its own.
+    EXPECT_EQ(levels_of(one + log_line(3, 'r', "no_sss", "near", 0)), (Levels{"all all", "all all"}));
+}
+
+TEST(GroupsTest, aHypothesisIsCorrectedForOnce) {
+    // Six of one mind in one condition: the only hypothesis, p = 2/2^6, and nothing to correct for.
+    const StudyFolder folder;
+    for (int participant = 1; participant <= 6; ++participant) {
+        folder.write_log(fmt::format("{}", participant), log_text("rRrR"));
+    }
+    const auto groups = make_groups(stats::read_study(folder.path()));
+    EXPECT_EQ(groups.front().figures->participant.p_holm, 2.0 / 64);
+    EXPECT_EQ(groups.front().figures->p_holm, groups.front().figures->chi_square.p);
 }
 
 TEST(GroupsTest, responseTimesAreQuartiles) {

@@ -93,6 +93,31 @@ TEST(QualityTest, addsUpDroppedFrames) {
         << text;
 }
 
+TEST(QualityTest, incompleteRunsThatCountAreNamed) {
+    const StudyFolder folder;
+    folder.write_log("01", log_text("rtrt"));
+    folder.write_log("02", log_text("r"));
+    const auto study = stats::read_study(folder.path());
+    EXPECT_TRUE(any(quality_notes(study, participant_quality(study)),
+                    "Incomplete runs: sub-02 counts with 1 of 4 trials."));
+}
+
+TEST(QualityTest, differentSetsOfStimuliAreTold) {
+    const StudyFolder folder;
+    for (const char digit : {'a', 'b'}) {
+        folder.write_log(std::string(1, digit), log_text("rt"));
+        folder.write_sidecar(std::string(1, digit),
+                             fmt::format(R"({{"StimuliManifestDigest": "{}"}})", std::string(64, digit)));
+    }
+    const auto study = stats::read_study(folder.path());
+    EXPECT_TRUE(any(quality_notes(study, participant_quality(study)),
+                    "Runs with 2 different sets of stimuli are taken together"));
+    // A run that names none is no other set.
+    folder.write_sidecar("b", "{}");
+    const auto one = stats::read_study(folder.path());
+    EXPECT_FALSE(any(quality_notes(one, participant_quality(one)), "sets of stimuli"));
+}
+
 TEST(QualityTest, irregularRunsAreNamed) {
     const StudyFolder folder;
     folder.write_log("01", log_text("rtrt"));

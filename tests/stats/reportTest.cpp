@@ -65,10 +65,33 @@ TEST(ReportTest, isOneSelfContainedPage) {
               html.find("<table")); // the answer comes first
 }
 
+TEST(ReportTest, oneIsNotPlural) {
+    const StudyFolder folder;
+    folder.write_log("01", log_text("r"));
+    const std::string html = report_of(folder);
+    EXPECT_NE(html.find("1 participant, 1 answer, 1 condition."), std::string::npos);
+    EXPECT_NE(html.find("the only condition, and the only row of"), std::string::npos);
+    for (const char* wrong :
+         {"1 participants", "1 conditions", " 1 rows", "1 runs", "1 logs", "choice answers in 1"}) {
+        EXPECT_EQ(html.find(wrong), std::string::npos) << wrong;
+    }
+}
+
 TEST(ReportTest, narrowScreensAreToldToScroll) {
     const StudyFolder folder;
     folder.write_log("01", log_text("rt"));
     EXPECT_NE(report_of(folder).find("content: \"Scroll sideways"), std::string::npos);
+}
+
+TEST(ReportTest, everyTableScrollsRatherThanBeingCutOff) {
+    const StudyFolder folder;
+    folder.write_published_logs();
+    const std::string html = report_of(folder);
+    EXPECT_NE(html.find(".scroll, .card { overflow-x: auto; }"), std::string::npos);
+    EXPECT_EQ(count_of("<table", html), count_of("<div class=\"scroll\"><table", html));
+    // A long verdict and a long name are broken into lines, so that their columns are no wider than they must
+    // be.
+    EXPECT_NE(html.find(".details td:nth-child(2) { white-space: normal;"), std::string::npos);
 }
 
 TEST(ReportTest, marksTheNonSignificantCells) {
@@ -96,7 +119,7 @@ TEST(ReportTest, tellsWhatWasLeftOut) {
           "sub-02_task-skin2afc_beh.tsv: counted though incomplete: 2 of 3 trials",
           "line 4 set aside: no line break at its end",
           "sub-03_task-skin2afc_beh.tsv: not counted: incomplete, 1 of 3 trials; run 2 counts",
-          "sub-04: no log", "holds no stimuli/contact_sheet.png"}) {
+          "sub-04: no log", "holds no pictures of the stimuli"}) {
         EXPECT_NE(html.find(part), std::string::npos) << part;
     }
 }

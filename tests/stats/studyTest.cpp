@@ -191,7 +191,7 @@ TEST(StudyTest, badFilesRefuseTheStudyUnlessTheyAreLeftOut) {
     expect_error(
         folder,
         "sub-02_task-skin2afc_beh.tsv:1: expected columns separated by tabs, found commas (1 more bad "
-        "files; --skip-bad leaves them out)");
+        "file; --skip-bad leaves them out)");
     const Study study = read_study(folder.path(), {true, false});
     EXPECT_EQ(used_runs(study), "01:1 ");
     ASSERT_EQ(study.bad_files.size(), 2u);

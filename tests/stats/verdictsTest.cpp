@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "findings.h"
 #include "labels.h"
 #include "outcome.h"
 #include "study_folder.h"
@@ -69,7 +70,8 @@ TEST(VerdictsTest, disagreementIsSaidInWords) {
         "participants as the sample (difference: pooled p < 0.001, sign-flip p = 0.168)"))
         << sentences.front();
     EXPECT_NE(sentences.front().find("rely on the participant-level tests"), std::string::npos);
-    EXPECT_NE(sentences.at(1).find("In 2 of 2 rows by distance and azimuth they disagree"), std::string::npos)
+    // One distance and one azimuth have no rows of their own to disagree.
+    EXPECT_NE(sentences.at(1).find("In 1 of 1 single conditions they disagree"), std::string::npos)
         << sentences.at(1);
     EXPECT_EQ(verdict_words(analysis.groups.front(), {}), "undecided");
 }
@@ -118,8 +120,9 @@ TEST(VerdictsTest, theIntervalIsThatOfTheParticipants) {
 }
 
 TEST(VerdictsTest, aDifferenceStandsOnlyAfterHolmsCorrection) {
-    // All of six participants: p = 2/64, which Holm's method takes by the table's three rows.
-    const auto analysis = analysis_of({17, 18, 16, 17, 18, 15});
+    // All of six participants prefer the reference: p = 2/64, which Holm's method takes by the table's three
+    // rows.
+    const auto analysis = analysis_at({{"far", 60, 17}, {"near", 60, 18}}, 6);
     EXPECT_EQ(analysis.groups.front().figures->participant.sign_flip.p, 2.0 / 64);
     EXPECT_EQ(analysis.groups.front().figures->participant.p_holm, 6.0 / 64);
     EXPECT_EQ(headline_of(analysis),
@@ -127,6 +130,62 @@ TEST(VerdictsTest, aDifferenceStandsOnlyAfterHolmsCorrection) {
               "cannot show a difference over 3 tests; it takes 7).");
     EXPECT_NE(verdicts(analysis).front().evidence.find("over the 3 rows of the shaders' table p = 0.094"),
               std::string::npos);
+}
+
+TEST(VerdictsTest, participantsOfOneMindDiffer) {
+    // No spread, so neither a t-test nor a mixed model; but all sign patterns but two are less extreme: p =
+    // 2/64.
+    const auto analysis = analysis_of({18, 18, 18, 18, 18, 18});
+    EXPECT_FALSE(analysis.groups.front().figures->participant.t_test);
+    EXPECT_EQ(headline_of(analysis), "SS Full differs from TS: TS is preferred.");
+    EXPECT_NE(participant_findings(analysis.rows)
+                  .front()
+                  .find("SS Full differs from TS in 1 of 1 condition, TS preferred"),
+              std::string::npos);
+    EXPECT_EQ(
+        disagreements(analysis).front(),
+        "Pooled and participant-level tests agree on every shader over all conditions, on difference (p "
+        "uncorrected); equivalence cannot be tested for SS Full, where all participants have the same "
+        "proportion.");
+}
+
+TEST(VerdictsTest, agreementIsNotSaidOfWhatCannotBeTested) {
+    // Five participants of half and half: no test finds anything, and the sign-flip test never could.
+    const auto analysis = analysis_of({4, 14, 9, 9, 12}, {{0.499, 0.501}, 1});
+    const auto sentences = disagreements(analysis);
+    EXPECT_EQ(sentences,
+              std::vector<std::string>{"Whether pooled and participant-level tests agree cannot be "
+                                       "told: no sign-flip test can be significant below 6 "
+                                       "participants."});
+    EXPECT_NE(participant_findings(analysis.rows).front().find("no single condition can be tested"),
+              std::string::npos);
+}
+
+TEST(VerdictsTest, aShaderThatFewSawIsNamedAsUntested) {
+    // Seven participants on one shader, of whom three saw another one, too.
+    const StudyFolder folder;
+    for (int participant = 1; participant <= 7; ++participant) {
+        std::string text = log_text("rRrRrRrR" + std::string(participant % 2 == 0 ? "rT" : "rR"));
+        if (participant <= 3) {
+            text += log_line(11, 'r', "no_sss") + log_line(12, 'T', "no_sss");
+        }
+        folder.write_log(fmt::format("{}", participant), text);
+    }
+    const auto analysis = stats::analyse_study(folder.path());
+    EXPECT_EQ(
+        disagreements(analysis).front(),
+        "Pooled and participant-level tests agree on every shader that can be tested over all conditions, "
+        "on difference and on equivalence (p uncorrected); too few participants to test No SSS (3 "
+        "participants).");
+    const auto sentences = participant_findings(analysis.rows);
+    ASSERT_EQ(sentences.size(), 2u);
+    EXPECT_NE(
+        sentences[0].find("No SSS against TS cannot be tested in any condition: fewer than 6 participants"),
+        std::string::npos)
+        << sentences[0];
+    EXPECT_NE(sentences[1].find("SS Full differs from TS in 1 of 1 condition, TS preferred"),
+              std::string::npos)
+        << sentences[1];
 }
 
 TEST(VerdictsTest, tooFewParticipantsCannotBeTested) {
@@ -155,8 +214,9 @@ TEST(VerdictsTest, sixParticipantsAreTheFewest) {
 }
 
 TEST(VerdictsTest, equalityNeedsASpreadToJudgeBy) {
-    EXPECT_TRUE(headline_of(analysis_of({9, 9, 9, 9, 9, 9, 9, 9, 9, 9}))
-                    .starts_with("SS Full against TS cannot be tested: all participants have the same"));
+    EXPECT_EQ(headline_of(analysis_of({9, 9, 9, 9, 9, 9, 9, 9, 9, 9})),
+              "SS Full against TS is undecided: no difference is shown, and all participants have the same "
+              "proportion, which leaves no spread to judge equality by.");
 }
 
 TEST(VerdictsTest, asGoodNeedsEquivalenceAndNotOnlyAbsenceOfADifference) {

@@ -22,7 +22,8 @@ struct GroupRow {
     std::optional<Figures> figures; ///< absent where n is 0
 };
 
-/// One row a pair of shaders and group: over all conditions, by distance, by azimuth, in the paper's order.
+/// One row a pair of shaders and group: over all conditions, by distance, by azimuth, in the paper's order. A
+/// factor that has answers at one level only gives no rows: they would say again what the row over all says.
 std::vector<GroupRow> make_groups(const Study& study, const Settings& settings = {});
 
 /// The rows over all conditions.

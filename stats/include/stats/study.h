@@ -17,6 +17,7 @@ namespace stats {
 struct Sidecar {
     std::optional<std::int64_t> trials_planned, dropped_frames;
     std::string protocol, protocol_digest; ///< name; SHA-256 of the file
+    std::string stimuli;                   ///< the first 12 digits of the stimuli's manifest's SHA-256
     bool simulated = false;
 };
 
