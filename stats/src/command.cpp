@@ -18,6 +18,7 @@
 #include <stats/analysis.h>
 #include <stats/exports.h>
 #include <support/error.h>
+#include <support/number_range.h>
 
 #include "figure8.h"
 #include "findings.h"
@@ -251,17 +252,6 @@ void run(const Arguments& arguments) {
     analyse(arguments);
 }
 
-/// A number from low to high; in the words of CLI::Range, which lets pass what is not a number.
-CLI::Validator number_in(double low, double high) {
-    return {[low, high](std::string& text) {
-                double value = 0;
-                return CLI::detail::lexical_cast(text, value) && low <= value && value <= high
-                           ? std::string()
-                           : fmt::format("Value {} not in range {} to {}", text, low, high);
-            },
-            fmt::format("in [{} - {}]", low, high)};
-}
-
 void add_power_options(CLI::App& command, PowerPlan& plan) {
     command.add_option("--participants", plan.participants, "Participants of the design")
         ->check(CLI::Range(2, 1000))
@@ -273,12 +263,12 @@ void add_power_options(CLI::App& command, PowerPlan& plan) {
         ->group(power_group);
     command
         .add_option("--proportion", plan.proportion, "Proportion choosing the reference that is to be found")
-        ->check(number_in(0.5, 1))
+        ->check(support::number_range(0.5, 1))
         ->capture_default_str()
         ->group(power_group);
     command
         .add_option("--spread", plan.spreads, "Standard deviations between participants, on the logit scale")
-        ->check(number_in(0, 5))
+        ->check(support::number_range(0, 5))
         ->expected(1, 4)
         ->delimiter(',')
         ->capture_default_str()
@@ -306,7 +296,7 @@ void add_command(CLI::App& app) {
         ->add_option("--bounds", arguments->bounds, "Proportions between which shaders count as equally good")
         ->expected(2)
         ->delimiter(',')
-        ->check(number_in(0.001, 0.999))
+        ->check(support::number_range(0.001, 0.999))
         ->capture_default_str()
         ->type_name("LOW,HIGH");
     command->add_option("--seed", arguments->plan.seed, "Seed of whatever is drawn at random")

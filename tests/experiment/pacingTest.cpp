@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The skin2afc authors
 // SPDX-License-Identifier: MIT
 
+#include <numeric>
+
 #include <gtest/gtest.h>
 
 #include "window/key_gate.h"

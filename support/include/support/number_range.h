@@ -13,11 +13,11 @@ inline CLI::Validator number_range(double least, double most) {
     const auto check = [least, most](std::string& text) -> std::string {
         double value = 0;
         if (!CLI::detail::lexical_cast(text, value) || !(value >= least && value <= most)) {
-            return fmt::format("expected a number from {} to {}, found {}", least, most, text);
+            return fmt::format("Value {} not in range {} to {}", text, least, most);
         }
         return {};
     };
-    return CLI::Validator(check, fmt::format("NUMBER in [{} - {}]", least, most));
+    return CLI::Validator(check, fmt::format("in [{} - {}]", least, most));
 }
 
 } // namespace support
