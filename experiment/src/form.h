@@ -34,9 +34,9 @@ struct Form {
     bool optional = false, can_go_back = false;
     std::optional<std::size_t> after_reading; ///< a choice for which the text's end must have been seen
     FormAnswer given;                         ///< that it shows at first
-    std::string next, back;     ///< what the keys do
-    std::string missing, wrong; ///< what is said to no answer, and to a number out of its range
-    std::string more;                ///< what is said where the text goes on below
+    std::string next, back;                   ///< what the keys do
+    std::string missing, wrong;               ///< what is said to no answer, and to a number out of its range
+    std::string more;                         ///< what is said where the text goes on below
 };
 
 /// Whether an answer will do.

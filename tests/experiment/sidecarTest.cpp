@@ -35,7 +35,8 @@ protected:
         stage_.known.refresh_hz = 60;
         stage_.known.dropped_frames = 2;
         stage_.known.worst_key_delay_s = 0.004;
-        stage_.shown = {{.trial = 1, .picture = "page", .missed_frames = 2}, {.trial = 1, .picture = "grey"},
+        stage_.shown = {{.trial = 1, .picture = "page", .missed_frames = 2},
+                        {.trial = 1, .picture = "grey"},
                         {.trial = 1, .picture = "grey", .frame = 2}};
         plan_.schedule = make_schedule(protocol_, 1);
     }
