@@ -42,7 +42,6 @@ struct Press {
 struct StageFacts {
     std::string pacing = "n/a";      ///< "vsync", "clock" or "simulated"
     std::string gl_renderer = "n/a"; ///< OpenGL's name for the device
-    std::string scheduling = "n/a";  ///< "real-time" or "normal": how the system runs the program
     std::optional<double> refresh_hz;
     std::optional<std::array<int, 2>> resolution_px;
     std::optional<double> key_resolution_s;  ///< mean time between two looks at the keyboard so far

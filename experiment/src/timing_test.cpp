@@ -98,7 +98,6 @@ TimingFindings measure(const study::Protocol& protocol, const ScreenOptions& scr
     }
     findings.monitor = stage.facts().monitor;
     findings.pacing = stage.facts().pacing;
-    findings.scheduling = stage.facts().scheduling;
     findings.refresh_hz = stage.refresh().hz;
     findings.refresh_sd_s = stage.refresh().sd_s;
     return findings;
@@ -112,16 +111,15 @@ std::string timing_report(const TimingFindings& findings) {
     std::string report =
         fmt::format("Timing on monitor {}\n\n"
                     "  swaps             {:.2f} a second, SD of their intervals {:.3f} ms\n"
-                    "  pacing            {}, {} priority\n"
+                    "  pacing            {}\n"
                     "  grey, asked for   {:.3f} s, {} times\n"
                     "  grey, error       median {:.3f} ms, worst {:.3f} ms, SD {:.3f} ms\n"
                     "  swap              median {:.3f} ms, worst {:.3f} ms\n"
                     "  dropped frames    {}\n\n",
                     findings.monitor, findings.refresh_hz, ms * findings.refresh_sd_s, findings.pacing,
-                    findings.scheduling, findings.grey_s, findings.grey_error_s.size(),
-                    ms * median_size(findings.grey_error_s), ms * worst(findings.grey_error_s),
-                    ms * standard_deviation(findings.grey_error_s), ms * median(findings.swap_s),
-                    ms * worst(findings.swap_s),
+                    findings.grey_s, findings.grey_error_s.size(), ms * median_size(findings.grey_error_s),
+                    ms * worst(findings.grey_error_s), ms * standard_deviation(findings.grey_error_s),
+                    ms * median(findings.swap_s), ms * worst(findings.swap_s),
                     vsync ? std::to_string(findings.dropped_frames) : "n/a, no refresh to count by");
     report += "How to read it\n"
               "  Each time is taken when a swap of the buffers is over. With pacing \"vsync\" that is when "
@@ -141,10 +139,6 @@ std::string timing_report(const TimingFindings& findings) {
         report += "Close other programs, turn off the desktop's compositor and power saving, use the full "
                   "screen, and "
                   "test again.\n";
-        if (findings.scheduling == "normal") {
-            report += "The system does not let this program run before others: give its user the right to "
-                      "real-time\npriority (rtprio in /etc/security/limits.conf).\n";
-        }
     } else if (!vsync) {
         report +=
             "A display whose swaps wait for its refresh would be better still: turn on vertical sync in the "

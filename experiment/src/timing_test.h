@@ -12,7 +12,7 @@ namespace experiment {
 
 /// What a test of the timing measured.
 struct TimingFindings {
-    std::string monitor, pacing, scheduling; ///< as StageFacts has them
+    std::string monitor, pacing;             ///< as StageFacts has them
     double refresh_hz = 0, refresh_sd_s = 0; ///< rate of swaps, and the SD of their intervals
     double grey_s = 0;                       ///< asked for
     std::vector<double> grey_error_s;        ///< of each cycle: how much longer the grey was

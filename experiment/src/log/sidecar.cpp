@@ -59,7 +59,6 @@ ordered_json screen_of(const StageFacts& stage) {
             {"Monitor", stage.monitor},
             {"StimulusWidth", or_na(stage.stimulus_width_deg)},
             {"Pacing", stage.pacing},
-            {"Scheduling", stage.scheduling},
             {"RefreshRate", or_na(stage.refresh_hz)},
             {"GLRenderer", stage.gl_renderer}};
 }

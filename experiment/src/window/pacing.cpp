@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <sched.h>
 #include <time.h>
 
 namespace experiment {
@@ -37,12 +36,6 @@ void wait_until(double deadline_s) {
     sleep_until(deadline_s - spin_s);
     while (monotonic_s() < deadline_s) {
     }
-}
-
-bool take_real_time_priority() {
-    sched_param priority{};
-    priority.sched_priority = ::sched_get_priority_min(SCHED_RR);
-    return ::sched_setscheduler(0, SCHED_RR, &priority) == 0;
 }
 
 Refresh judge_refresh(std::span<const double> swap_times_s, double reported_hz) {

@@ -17,10 +17,6 @@ void sleep_until(double deadline_s);
 /// Sleep until shortly before the deadline and spin the rest.
 void wait_until(double deadline_s);
 
-/// Ask the system to run this thread before others, at the lowest real-time priority; whether it does so.
-/// Needs the right to (CAP_SYS_NICE, or an RLIMIT_RTPRIO above 0).
-bool take_real_time_priority();
-
 /// What a display's buffer swaps tell of its refresh.
 struct Refresh {
     bool vsync = false; ///< swaps wait for the refresh

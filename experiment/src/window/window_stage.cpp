@@ -63,8 +63,6 @@ WindowStage::WindowStage(const study::Protocol& protocol, const ScreenOptions& o
       pictures_(load(window_)), least_size_{protocol.image.width, protocol.image.height} {
     flips_.reserve(flips_reserved);
     describe_screen(window_.monitor(), protocol, options, screen_);
-    // From here on, time counts; loading was done by threads that may wait.
-    screen_.scheduling = take_real_time_priority() ? "real-time" : "normal";
     measure_refresh();
     if (!refresh_.vsync) {
         screen_.warnings.push_back(
