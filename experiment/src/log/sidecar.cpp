@@ -55,12 +55,9 @@ ordered_json presentation(const StageFacts& stage) {
 
 /// What may differ between the parts of a run.
 ordered_json screen_of(const StageFacts& stage) {
-    return {{"StimulusPresentation", presentation(stage)},
-            {"Monitor", stage.monitor},
-            {"StimulusWidth", or_na(stage.stimulus_width_deg)},
-            {"Pacing", stage.pacing},
-            {"RefreshRate", or_na(stage.refresh_hz)},
-            {"GLRenderer", stage.gl_renderer}};
+    return {{"StimulusPresentation", presentation(stage)},      {"Monitor", stage.monitor},
+            {"StimulusWidth", or_na(stage.stimulus_width_deg)}, {"Pacing", stage.pacing},
+            {"RefreshRate", or_na(stage.refresh_hz)},           {"GLRenderer", stage.gl_renderer}};
 }
 
 ordered_json column(const char* description) { return {{"Description", description}}; }
