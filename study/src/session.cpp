@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <regex>
 #include <sstream>
 
 #include "checks.h"
@@ -151,11 +150,16 @@ std::vector<Question> read_questions(TomlTable& table) {
 
 /// What stands in braces is filled in, so that a misspelt name would be shown as it is.
 void check_placeholders(const TomlTable& table, std::string_view key, const std::string& text) {
-    static const std::regex braces("\\{([A-Za-z_]+)\\}");
-    for (std::sregex_iterator found(text.begin(), text.end(), braces), end; found != end; ++found) {
-        if ((*found)[1] != "trial" && (*found)[1] != "trials") {
+    constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ_abcdefghijklmnopqrstuvwxyz";
+    for (std::size_t open = text.find('{'); open != std::string::npos; open = text.find('{', open + 1)) {
+        const std::size_t end = text.find_first_not_of(letters, open + 1);
+        if (end == open + 1 || end == std::string::npos || text[end] != '}') {
+            continue; // no name in braces
+        }
+        const std::string name = text.substr(open + 1, end - open - 1);
+        if (name != "trial" && name != "trials") {
             throw table.error(
-                key, fmt::format("expected {{trial}} or {{trials}} in braces, found \"{}\"", found->str()));
+                key, fmt::format("expected {{trial}} or {{trials}} in braces, found \"{{{}}}\"", name));
         }
     }
 }
