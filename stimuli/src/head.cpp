@@ -21,7 +21,8 @@ renderer::scene::Model sculpt_head(const HeadSettings& settings) {
     skin.name = "skin";
     skin.base_color = head::albedo_map(person, atlas);
     skin.normal = head::normal_map(person, atlas);
-    skin.roughness = head::roughness_map(person, atlas);
+    skin.roughness = head::reflection_map(person, atlas);
+    skin.specular = skin.roughness;
     skin.roughness_factor = 1;
 
     renderer::scene::Model model;

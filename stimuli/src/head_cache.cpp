@@ -71,8 +71,8 @@ bool take(std::string_view& bytes, std::vector<T>& items) {
     return true;
 }
 
-ImagePtr square_image(std::vector<std::uint8_t> pixels, int side) {
-    return std::make_shared<const Image>(Image{side, side, 3, std::move(pixels)});
+ImagePtr square_image(std::vector<std::uint8_t> pixels, int side, int channels) {
+    return std::make_shared<const Image>(Image{side, side, channels, std::move(pixels)});
 }
 
 void drop_oldest(const fs::path& folder) {
@@ -112,17 +112,18 @@ std::optional<Model> read_cached(const HeadSettings& settings) {
 
     Mesh mesh;
     mesh.has_uv = true;
-    std::vector<std::uint8_t> base_color, normal, roughness;
+    std::vector<std::uint8_t> base_color, normal, reflection;
     std::vector<std::int32_t> side;
     if (!take(bytes, mesh.vertices) || !take(bytes, mesh.indices) || !take(bytes, side) || side.size() != 1 ||
-        !take(bytes, base_color) || !take(bytes, normal) || !take(bytes, roughness)) {
+        !take(bytes, base_color) || !take(bytes, normal) || !take(bytes, reflection)) {
         return std::nullopt;
     }
     Material skin;
     skin.name = "skin";
-    skin.base_color = square_image(std::move(base_color), side.front());
-    skin.normal = square_image(std::move(normal), side.front());
-    skin.roughness = square_image(std::move(roughness), side.front());
+    skin.base_color = square_image(std::move(base_color), side.front(), 3);
+    skin.normal = square_image(std::move(normal), side.front(), 3);
+    skin.roughness = square_image(std::move(reflection), side.front(), 4);
+    skin.specular = skin.roughness;
     skin.roughness_factor = 1;
     Model model;
     model.name = "built-in head";

@@ -30,7 +30,8 @@ std::vector<unsigned char> png(const Image& image, const std::string& name) {
     std::vector<unsigned char> bytes;
     OIIO::Filesystem::IOVecOutput memory(bytes);
     const auto output = OIIO::ImageOutput::create("memory.png", &memory);
-    const OIIO::ImageSpec spec(image.width, image.height, image.channels, OIIO::TypeDesc::UINT8);
+    OIIO::ImageSpec spec(image.width, image.height, image.channels, OIIO::TypeDesc::UINT8);
+    spec["oiio:UnassociatedAlpha"] = 1; // else colours would be divided by alpha
     if (!output || !output->open("memory.png", spec) ||
         !output->write_image(OIIO::TypeDesc::UINT8, image.pixels.data()) || !output->close()) {
         throw support::failure("{}: cannot be encoded: {}", name,
@@ -76,7 +77,7 @@ public:
         written.name = skin.name;
         auto& pbr = written.pbrMetallicRoughness;
         pbr.baseColorTexture.index = add_texture(*skin.base_color, "albedo");
-        pbr.metallicRoughnessTexture.index = add_texture(*skin.roughness, "roughness");
+        pbr.metallicRoughnessTexture.index = add_texture(*skin.roughness, "reflection");
         pbr.metallicFactor = 0;
         pbr.roughnessFactor = static_cast<double>(skin.roughness_factor);
         written.normalTexture.index = add_texture(*skin.normal, "normal");
@@ -86,6 +87,10 @@ public:
         const Object volume{
             {"thicknessFactor", tinygltf::Value(static_cast<double>(head::most_thickness_mm) * metres)},
             {"thicknessTexture", tinygltf::Value(texture)}};
+        // The strength of the reflection is the roughness texture's alpha, which glTF leaves free.
+        const Object reflection{{"index", tinygltf::Value(pbr.metallicRoughnessTexture.index)}};
+        written.extensions["KHR_materials_specular"] =
+            tinygltf::Value(Object{{"specularTexture", tinygltf::Value(reflection)}});
         written.extensions["KHR_materials_ior"] =
             tinygltf::Value(Object{{"ior", tinygltf::Value(index_of_refraction)}});
         // A volume counts only where light is transmitted; how much skin does is the renderer's to say.

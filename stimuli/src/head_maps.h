@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <tuple>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -43,17 +44,20 @@ private:
 };
 
 using Texel = std::array<std::uint8_t, 3>;
+using TexelWithAlpha = std::array<std::uint8_t, 4>;
 
 /// A map whose texels are what `texel_at(x, y)` says; several rows are made at once.
 template <typename TexelAt>
 renderer::scene::ImagePtr filled_map(const TexelAt& texel_at) {
+    constexpr std::size_t channels = std::tuple_size_v<decltype(texel_at(0, 0))>;
     auto image = std::make_shared<renderer::scene::Image>();
-    *image = {map_size, map_size, 3, std::vector<std::uint8_t>(std::size_t{3} * map_size * map_size)};
+    *image = {map_size, map_size, static_cast<int>(channels),
+              std::vector<std::uint8_t>(channels * map_size * map_size)};
     tbb::parallel_for(0, map_size, [&](int y) {
         for (int x = 0; x < map_size; ++x) {
-            const Texel texel = texel_at(x, y);
+            const auto texel = texel_at(x, y);
             std::copy(texel.begin(), texel.end(),
-                      image->pixels.begin() + static_cast<std::ptrdiff_t>(3 * Atlas::index(x, y)));
+                      image->pixels.begin() + static_cast<std::ptrdiff_t>(channels * Atlas::index(x, y)));
         }
     });
     return image;
@@ -63,8 +67,8 @@ renderer::scene::ImagePtr filled_map(const TexelAt& texel_at) {
 renderer::scene::ImagePtr albedo_map(const Person& person, const Atlas& atlas);
 /// Pores, fine lines, creases and hairs as tangent-space normals, green up the image, along -v.
 renderer::scene::ImagePtr normal_map(const Person& person, const Atlas& atlas);
-/// Perceptual roughness in green; red and blue are 0.
-renderer::scene::ImagePtr roughness_map(const Person& person, const Atlas& atlas);
+/// How the surface reflects: perceptual roughness in green, strength in alpha; red and blue are 0.
+renderer::scene::ImagePtr reflection_map(const Person& person, const Atlas& atlas);
 
 /// 1 on the red of the lips, 0 off it.
 float on_lips(glm::vec3 folded);

@@ -52,6 +52,11 @@ float patch_weight(const Patch& patch, glm::vec3 p) {
     return distance < 12 ? std::exp(-distance) : 0;
 }
 
+/// 1 within a nostril, 0 away from it.
+float nostril(glm::vec3 p) {
+    return std::exp(-square((p.x - 7.2F) / 3.8F) - square((p.y + 50.0F) / 2.8F) - square((p.z - 99) / 8));
+}
+
 /// Height of the hairline over z, from the nape over the ears to the forehead.
 float hairline_y(float z) {
     constexpr std::array<glm::vec2, 8> line{
@@ -83,12 +88,10 @@ public:
         const float lips = on_lips(p);
         const glm::vec3 skin =
             lips > 0 ? glm::mix(colours_(pigment), lip_colours_(pigment), 0.85F * lips) : colours_(pigment);
-        const float nostril =
-            std::exp(-square((p.x - 7.2F) / 3.8F) - square((p.y + 50.0F) / 2.8F) - square((p.z - 99) / 8));
         const float parting = smooth_step(mouth_half_width + 1.5F, mouth_half_width - 4, p.x) *
                               bell(p.y - lip_line_y(p.x), 0.7F) * smooth_step(50, 60, p.z);
         const float lid_edge = lid_seam(p);
-        const float shade = (1 - 0.8F * nostril) * (1 - 0.7F * parting) * (1 - 0.6F * lid_edge);
+        const float shade = (1 - 0.8F * nostril(p)) * (1 - 0.7F * parting) * (1 - 0.6F * lid_edge);
         // Shaven hairs go on below the skin, where they take from the red light that comes back from the
         // depth.
         const glm::vec3 below =
@@ -215,11 +218,13 @@ ImagePtr albedo_map(const Person& person, const Atlas& atlas) {
     });
 }
 
-ImagePtr roughness_map(const Person& person, const Atlas& atlas) {
-    const Noise noise("head roughness", person.seed);
+ImagePtr reflection_map(const Person& person, const Atlas& atlas) {
+    const Noise noise("head roughness", person.seed), film("head sebum", person.seed);
     const Hairs hairs(person);
-    return filled_map([&](int x, int y) -> Texel {
+    return filled_map([&](int x, int y) -> TexelWithAlpha {
         // Nose and forehead are oily, the lips moist, the rest dry, and drier with age; hairs lie every way.
+        // Oil and moisture smooth the surface and make it reflect more; light that falls into a nostril is
+        // lost. How much, no measurement says: the shares are chosen by eye.
         const glm::vec3 place = atlas.place_mm(x, y), p = person.fold(place);
         const float nose = std::exp(-square(p.x / 18) - square((p.y + 32) / 22)) * smooth_step(70, 85, p.z);
         const float forehead =
@@ -232,7 +237,12 @@ ImagePtr roughness_map(const Person& person, const Atlas& atlas) {
             0.41F + dry - 0.12F * nose - 0.09F * forehead - 0.07F * cheek - 0.08F * on_lips(p) + uneven;
         const float hair = hairs.cover(p, place.x < 0 ? -1.0F : 1.0F, atlas.texel_mm(x, y));
         const float kept = std::clamp(glm::mix(roughness, 0.6F, hair), 0.25F, 0.6F);
-        return {0, static_cast<std::uint8_t>(std::lround(kept * 255)), 0};
+        const float coated = std::max({0.85F * nose, 0.7F * forehead, 0.4F * cheek, on_lips(p)});
+        const float strength = (0.68F - 2 * dry + 0.32F * coated + 0.1F * film.octaves(place / 9.0F, 3)) *
+                               (1 - 0.5F * hair) * (1 - 0.8F * nostril(p));
+        const float kept_strength = std::clamp(strength, 0.1F, 1.0F);
+        return {0, static_cast<std::uint8_t>(std::lround(kept * 255)), 0,
+                static_cast<std::uint8_t>(std::lround(kept_strength * 255))};
     });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The skin2afc authors
 // SPDX-License-Identifier: MIT
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -21,6 +22,14 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 namespace {
+
+/// A PNG of one pixel: (10, 20, 30), alpha 77.
+constexpr std::array<std::uint8_t, 70> one_pixel_png{
+    0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48,
+    0x44, 0x52, 0x00, 0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x01, 0x08, 0x06, 0x00, 0x00,
+    0x00, 0x1f, 0x15, 0xc4, 0x89, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x44, 0x41, 0x54, 0x78,
+    0xda, 0x63, 0xe0, 0x12, 0x91, 0xf3, 0x05, 0x00, 0x00, 0xf2, 0x00, 0x8a, 0x35, 0x35,
+    0x63, 0x39, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
 
 /// A glTF file of two triangles that tests change before they write it.
 struct Source {
@@ -166,6 +175,28 @@ TEST_F(GltfTest, takesOtherUnitsAndFlippedV) {
     EXPECT_NEAR(bitangent.y, 1, 1e-6f); // v now runs down, the bitangent up
 }
 
+TEST_F(GltfTest, readsTheStrengthOfTheReflection) {
+    const auto material = [&](const char* json) {
+        Source source;
+        source.append(one_pixel_png.data(), one_pixel_png.size());
+        source.json["bufferViews"].push_back(
+            {{"buffer", 0}, {"byteOffset", 92}, {"byteLength", one_pixel_png.size()}});
+        source.json["images"] = Json::parse(R"([{"bufferView": 3, "mimeType": "image/png"}])");
+        source.json["textures"] = Json::parse(R"([{"source": 0}])");
+        source.json["extensionsUsed"] = {"KHR_materials_specular"};
+        source.json["materials"] = {{{"extensions", {{"KHR_materials_specular", Json::parse(json)}}}}};
+        source.json["meshes"][0]["primitives"][0]["material"] = 0;
+        return load(source.glb()).materials[0];
+    };
+    EXPECT_EQ(material("{}").specular_factor, 1);
+    EXPECT_EQ(material("{}").specular, nullptr);
+    EXPECT_EQ(material(R"({"specularFactor": 0.25})").specular_factor, 0.25f);
+    const scene::Material textured = material(R"({"specularTexture": {"index": 0, "texCoord": 0}})");
+    ASSERT_NE(textured.specular, nullptr);
+    ASSERT_EQ(textured.specular->channels, 4);
+    EXPECT_EQ(textured.specular->pixels[3], 77);
+}
+
 TEST_F(GltfTest, digestFollowsTheContent) {
     Source changed;
     changed.buffer[3] = 1;
@@ -176,6 +207,9 @@ TEST_F(GltfTest, digestFollowsTheContent) {
 TEST_F(GltfTest, namesWhatIsWrong) {
     const auto index = [](Source& s, std::uint16_t value) { std::memcpy(&s.buffer[80], &value, 2); };
     const auto number = [](Source& s, float value) { std::memcpy(&s.buffer[0], &value, 4); };
+    const auto specular = [](Source& s, const char* json) {
+        s.json["materials"] = {{{"extensions", {{"KHR_materials_specular", Json::parse(json)}}}}};
+    };
     const std::vector<std::pair<std::function<void(Source&)>, const char*>> cases{
         {[&](Source& s) { index(s, 4); }, "indices: expected numbers below 4"},
         {[&](Source& s) { number(s, std::numeric_limits<float>::quiet_NaN()); }, "expected finite numbers"},
@@ -231,6 +265,15 @@ TEST_F(GltfTest, namesWhatIsWrong) {
              s.json["materials"] = {{{"normalTexture", {{"index", 4}}}}};
          },
          "expected a texture below 0"},
+        {[&](Source& s) { specular(s, R"({"specularFactor": 1.5})"); },
+         "specularFactor: expected 0 to 1, found 1.5"},
+        {[&](Source& s) { specular(s, R"({"specularFactor": "much"})"); }, "specularFactor: expected 0 to 1"},
+        {[&](Source& s) { specular(s, R"({"specularTexture": {"index": 3}})"); },
+         "expected a texture below 0"},
+        {[&](Source& s) { specular(s, R"({"specularTexture": {}})"); }, "specularTexture.index: expected"},
+        {[&](Source& s) { specular(s, R"({"specularTexture": 7})"); }, "specularTexture.index: expected"},
+        {[&](Source& s) { specular(s, R"({"specularTexture": {"index": 0, "texCoord": 1}})"); },
+         "another texCoord"},
     };
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const std::string message = error(cases[i].first);

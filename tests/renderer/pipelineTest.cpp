@@ -56,6 +56,57 @@ TEST_F(PipelineTest, aUniformlyLitPlaneKeepsItsLight) {
 }
 
 // No halo: nothing of the skin beside the silhouette, nothing of the background inside.
+// A black surface shows the reflection alone, which a material's factor and map scale, each by itself and
+// together.
+TEST_F(PipelineTest, aMaterialScalesItsReflection) {
+    passes::Look look = scenes::diffuse_look();
+    look.specular_intensity = 0.5f;
+    const auto middle = [&](float factor, std::optional<std::uint8_t> alpha) {
+        scene::Model model = scenes::plane(400);
+        model.materials[0].base_color_factor = glm::vec3(0);
+        model.materials[0].specular_factor = factor;
+        if (alpha) {
+            model.materials[0].specular =
+                std::make_shared<scene::Image>(scene::Image{1, 1, 4, {255, 255, 255, *alpha}});
+        }
+        passes::Pipeline pipeline(model, look, {});
+        return scenes::value(pipeline.render(passes::Shader::no_sss, scenes::camera(500, 64, 48),
+                                             scenes::frontal_light(), true),
+                             32, 24)
+            .g;
+    };
+    const float whole = middle(1, std::nullopt);
+    ASSERT_GT(whole, 0.01f);
+    const float rounding = 0.002f * whole; // of packed samples: halves
+    EXPECT_NEAR(middle(0.25f, std::nullopt), 0.25f * whole, rounding);
+    EXPECT_NEAR(middle(1, 51), 0.2f * whole, rounding);
+    EXPECT_NEAR(middle(0.5f, 51), 0.1f * whole, rounding);
+    EXPECT_EQ(middle(1, 0), 0);
+}
+
+// What is not reflected enters: a white surface without reflection is as bright as under a look without any.
+TEST_F(PipelineTest, aMaterialWithoutReflectionLetsAllLightIn) {
+    for (const passes::Shader shader : {passes::Shader::no_sss, passes::Shader::ts}) {
+        const auto middle = [&](float intensity, bool none) {
+            scene::Model model = scenes::plane(400);
+            if (none) {
+                model.materials[0].specular =
+                    std::make_shared<scene::Image>(scene::Image{1, 1, 4, {255, 255, 255, 0}});
+            }
+            passes::Look look = scenes::diffuse_look();
+            look.specular_intensity = intensity;
+            look.exposure = 1;
+            passes::Pipeline pipeline(model, look, {});
+            scene::Light light = scenes::frontal_light();
+            light.direction = glm::normalize(glm::vec3(1, 0, 1)); // no highlight at the middle
+            return scenes::value(pipeline.render(shader, scenes::camera(500, 64, 48), light, true), 32, 24).g;
+        };
+        const float without = middle(0, false);
+        EXPECT_NEAR(middle(1, true), without, 0.002f * without);
+        EXPECT_LT(middle(1, false), 0.98f * without);
+    }
+}
+
 TEST_F(PipelineTest, silhouettesMixSkinAndBackgroundByCoverageAlone) {
     const scene::Model model = scenes::plane(40);
     passes::Look look = scenes::diffuse_look();

@@ -44,6 +44,16 @@ scene::ImagePtr tilts() {
     return image;
 }
 
+/// A strength of the reflection that varies over the image.
+scene::ImagePtr strengths() {
+    const scene::ImagePtr pattern = waves(0.6f, 0.4f);
+    auto image = std::make_shared<scene::Image>(scene::Image{pattern->width, pattern->height, 4, {}});
+    for (std::size_t i = 0; i < pattern->pixels.size(); i += 3) {
+        image->pixels.insert(image->pixels.end(), {0, 0, 0, pattern->pixels[i]});
+    }
+    return image;
+}
+
 } // namespace
 
 // Two renderers that share no code but the tables of specular albedo: without scattering they agree on
@@ -55,6 +65,8 @@ TEST(ReferenceAgreementTest, agreesWithTheUnscatteredPassesOnAllButShadows) {
     model.materials[0].normal = tilts();
     model.materials[0].roughness = waves(0.7f, 0.2f);
     model.materials[0].roughness_factor = 0.8f;
+    model.materials[0].specular = strengths();
+    model.materials[0].specular_factor = 0.7f;
     model.materials[0].base_color_factor = {0.9f, 0.7f, 0.5f};
     scene::Look look;
     look.profile.gaussians = {{0, glm::dvec3(1)}};

@@ -68,6 +68,8 @@ TEST_F(HeadFileTest, holdsTheHeadWithAllItsMaps) {
     EXPECT_EQ(read.normal->pixels, written.normal->pixels);
     EXPECT_EQ(read.roughness->pixels, written.roughness->pixels);
     EXPECT_EQ(read.roughness_factor, written.roughness_factor);
+    EXPECT_EQ(read.specular->pixels, written.specular->pixels);
+    EXPECT_EQ(read.specular_factor, 1);
 }
 
 TEST_F(HeadFileTest, isInMetresAndSaysHowThickTheFleshIs) {

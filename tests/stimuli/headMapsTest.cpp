@@ -23,18 +23,19 @@ const Vertex& nearest(glm::vec3 place) {
         });
 }
 
-/// A texel's three channels, 0 to 1; x wraps around.
-glm::vec3 texel(const Image& image, int x, int y) {
+/// A texel's channels, 0 to 1, alpha being 1 where there is none; x wraps around.
+glm::vec4 texel(const Image& image, int x, int y) {
     const int column = (x + image.width) % image.width;
-    const auto at = static_cast<std::size_t>(3 * (y * image.width + column));
-    return glm::vec3(image.pixels[at], image.pixels[at + 1], image.pixels[at + 2]) / 255.0F;
+    const auto at = static_cast<std::size_t>(image.channels * (y * image.width + column));
+    const std::uint8_t alpha = image.channels == 4 ? image.pixels[at + 3] : 255;
+    return glm::vec4(image.pixels[at], image.pixels[at + 1], image.pixels[at + 2], alpha) / 255.0F;
 }
 
 /// Mean of a map around a vertex, over a square of texels.
-glm::vec3 mean_around(const Image& image, const Vertex& vertex, int reach) {
+glm::vec4 mean_around(const Image& image, const Vertex& vertex, int reach) {
     const int x = static_cast<int>(vertex.uv.x * static_cast<float>(image.width));
     const int y = static_cast<int>(vertex.uv.y * static_cast<float>(image.height));
-    glm::vec3 sum(0);
+    glm::vec4 sum(0);
     for (int dy = -reach; dy <= reach; ++dy) {
         for (int dx = -reach; dx <= reach; ++dx) {
             sum += texel(image, x + dx, y + dy);
@@ -157,6 +158,17 @@ TEST(HeadMapsTest, lightsTheLineBetweenTheLipsAsAGroove) {
         }
     }
     EXPECT_LT(above, below - 0.2F);
+}
+
+TEST(HeadMapsTest, reflectsMoreWhereSkinIsOilyOrMoist) {
+    const renderer::scene::Material& skin = head().materials.front();
+    ASSERT_EQ(skin.specular->channels, 4);
+    const auto strength = [&](glm::vec3 place) { return mean_around(*skin.specular, nearest(place), 8).a; };
+    const float neck = strength({40, -150, 40});
+    EXPECT_GT(neck, 0.4F);
+    EXPECT_GT(strength({0, -38, 115}), neck + 0.1F) << "nose";
+    EXPECT_GT(strength({0, 45, 100}), neck + 0.1F) << "forehead";
+    EXPECT_GT(strength({0, -80, 100}), neck + 0.1F) << "lower lip";
 }
 
 TEST(HeadMapsTest, hasRoughnessWithinItsRange) {

@@ -12,8 +12,9 @@ void main() {
     vec3 sum = entering_ambient(N);
 #if BEAMS > 0
     float m = slope();
+    float strength = specular_strength();
     for (int k = 0; k < BEAMS; ++k) {
-        sum += entering_beam(k, N, m, visibility(k));
+        sum += entering_beam(k, N, m, strength, visibility(k));
     }
 #endif
     irradiance = vec4(entering_radiance(sum, albedo()), 1.0);

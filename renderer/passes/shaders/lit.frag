@@ -44,22 +44,23 @@ void main() {
     vec3 N = mapped_normal();
     vec3 V = direction_of(eye_mm - surface_position_mm());
     float m = slope();
+    float strength = specular_strength();
     vec3 color = albedo();
     vec3 entering = entering_ambient(N);
     vec3 reflected = vec3(0.0);
 #if BEAMS > 0
     for (int k = 0; k < BEAMS; ++k) {
         float visible = visibility(k);
-        entering += entering_beam(k, N, m, visible);
+        entering += entering_beam(k, N, m, strength, visible);
 #if SPECULAR
-        float lobe = specular_intensity * kelemen_szirmay_kalos(N, light_direction[k], V, m);
+        float lobe = strength * kelemen_szirmay_kalos(N, light_direction[k], V, m);
         reflected += light_irradiance[k] * (visible * lobe / pi);
 #endif
     }
 #endif
     diffuse = vec4(entering_radiance(entering, color), 1.0);
     vec3 leaving = part_of_color(color, 1.0 - texture_mix);
-    leaving *= 1.0 - specular_intensity * specular_albedo(dot(N, V), m);
+    leaving *= 1.0 - strength * specular_albedo(dot(N, V), m);
     specular = vec4(min(reflected, vec3(brightest)), 1.0);
     after_scattering = vec4(leaving, 1.0);
     depth_mm = surface_depth_mm();

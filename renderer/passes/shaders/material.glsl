@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The skin2afc authors
 // SPDX-License-Identifier: MIT
 
-// The material at a point of the surface, and its light. BEAMS (how many), COLOR_MAP, NORMAL_MAP, ROUGHNESS_MAP and
-// SPECULAR (whether there is any) are defined by the program.
+// The material at a point of the surface, and its light. BEAMS (how many), COLOR_MAP, NORMAL_MAP, ROUGHNESS_MAP,
+// SPECULAR_MAP and SPECULAR (whether there is any) are defined by the program.
 #include "surface.glsl"
 
 layout(binding = 0) uniform sampler2D base_color_map; // decoded to linear Rec. 709 by its sRGB format
@@ -11,10 +11,12 @@ layout(binding = 2) uniform sampler2D roughness_map;
 layout(binding = 3) uniform sampler2DArray shadow_maps; // depth from each light, 0 to 1
 layout(binding = 4) uniform sampler2D specular_albedo_table; // x: cosine, y: slope m
 layout(binding = 5) uniform sampler2DArray shadow_bounds; // least and greatest depth around each block of texels
+layout(binding = 7) uniform sampler2D specular_map; // strength of the reflection in alpha
 
 uniform vec3 base_color_factor;
 uniform float normal_scale;
 uniform float roughness_factor; // glTF's perceptual roughness
+uniform float specular_factor;
 uniform bool double_sided;
 
 uniform vec3 ambient_irradiance;
@@ -59,6 +61,15 @@ float slope() {
     roughness *= surface_texture(roughness_map).g;
 #endif
     return max(roughness * roughness, 0.02);
+}
+
+// What the reflection is multiplied with: the look's intensity times the material's.
+float specular_strength() {
+    float strength = specular_intensity * specular_factor;
+#if SPECULAR_MAP
+    strength *= surface_texture(specular_map).a;
+#endif
+    return strength;
 }
 
 vec3 geometric_normal() {
@@ -155,9 +166,9 @@ float visibility(int k) {
 }
 
 // Light of one beam that gets into the surface.
-vec3 entering_beam(int k, vec3 N, float m, float visible) {
+vec3 entering_beam(int k, vec3 N, float m, float strength, float visible) {
     float NoL = dot(N, light_direction[k]);
-    return light_irradiance[k] * (max(NoL, 0.0) * visible * (1.0 - specular_intensity * specular_albedo(NoL, m)));
+    return light_irradiance[k] * (max(NoL, 0.0) * visible * (1.0 - strength * specular_albedo(NoL, m)));
 }
 #endif
 

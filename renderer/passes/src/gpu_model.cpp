@@ -123,13 +123,15 @@ GpuModel::GpuModel(const scene::Model& model, float default_slope) {
         material.base_color = textures.of(source.base_color, true, true, white);
         material.normal = textures.of(source.normal, false, true, flat);
         material.roughness = textures.of(source.roughness, false, false, white);
+        material.specular = textures.of(source.specular, false, false, white);
         material.traits = {source.base_color != nullptr, source.normal && source.normal_scale != 0,
-                           source.roughness != nullptr, source.scatters};
+                           source.roughness != nullptr, source.specular != nullptr, source.scatters};
         material.base_color_factor = source.base_color_factor;
         material.normal_scale = source.normal ? source.normal_scale : 0;
         // The shader squares glTF's perceptual roughness into the slope.
         material.roughness_factor =
             source.roughness_factor < 0 ? std::sqrt(default_slope) : source.roughness_factor;
+        material.specular_factor = source.specular_factor;
         material.double_sided = source.double_sided;
         materials_.push_back(std::move(material));
     }
@@ -165,9 +167,11 @@ void GpuModel::bind_material(const gl::Program& program, std::size_t index, bool
     material.base_color->bind(0);
     material.normal->bind(1);
     material.roughness->bind(2);
+    material.specular->bind(7);
     program.set("base_color_factor", material.base_color_factor);
     program.set("normal_scale", material.normal_scale);
     program.set("roughness_factor", material.roughness_factor);
+    program.set("specular_factor", material.specular_factor);
     const bool double_sided = material.double_sided && may_be_double_sided;
     program.set("double_sided", double_sided ? 1 : 0);
     if (double_sided || !may_be_double_sided) {

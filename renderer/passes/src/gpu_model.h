@@ -56,7 +56,8 @@ public:
 
     /// What a material has.
     struct Traits {
-        bool color_map = false, normal_map = false, roughness_map = false, scatters = true;
+        bool color_map = false, normal_map = false, roughness_map = false, specular_map = false,
+             scatters = true;
     };
     Traits traits(std::size_t material) const;
     /// Whether any mesh scatters light.
@@ -70,7 +71,7 @@ public:
     /// A camera of the world, relative to the model's origin.
     scene::Camera seen_by(scene::Camera camera) const;
 
-    /// Bind a material's maps to units 0 to 2 and set its factors.
+    /// Bind a material's maps to units 0 to 2 and 7, and set its factors.
     void bind_material(const gl::Program& program, std::size_t material, bool may_be_double_sided) const;
 
     /// Draw all meshes with a program that reads places alone, both sides.
@@ -80,9 +81,9 @@ public:
 
 private:
     struct Material {
-        std::shared_ptr<const gl::Texture> base_color, normal, roughness;
+        std::shared_ptr<const gl::Texture> base_color, normal, roughness, specular;
         glm::vec3 base_color_factor{1};
-        float normal_scale = 1, roughness_factor = 1;
+        float normal_scale = 1, roughness_factor = 1, specular_factor = 1;
         bool double_sided = false;
         Traits traits;
     };

@@ -74,6 +74,7 @@ Defines SurfaceLook::defines(const GpuModel::Traits& material, std::size_t beams
             {"COLOR_MAP", all || material.color_map ? 1 : 0},
             {"NORMAL_MAP", all || material.normal_map ? 1 : 0},
             {"ROUGHNESS_MAP", all || material.roughness_map ? 1 : 0},
+            {"SPECULAR_MAP", all || material.specular_map ? 1 : 0},
             {"SPECULAR", all || look_.specular_intensity > 0 ? 1 : 0},
             {"SCATTERS", material.scatters ? 1 : 0}};
 }
@@ -158,8 +159,8 @@ const LitFrame& LitPass::render(const GpuModel& model, const GpuModel::View& vie
             const std::size_t material = model.meshes()[part.mesh].material;
             Defines defines = look.defines(model.traits(material), beams.size(), switches);
             defines["PACKED"] = samples_ ? 1 : 0;
-            maps_read_ +=
-                defines["COLOR_MAP"] + defines["NORMAL_MAP"] + defines["ROUGHNESS_MAP"] + defines["SPECULAR"];
+            maps_read_ += defines["COLOR_MAP"] + defines["NORMAL_MAP"] + defines["ROUGHNESS_MAP"] +
+                          defines["SPECULAR_MAP"] + defines["SPECULAR"];
             const gl::Program& program = programs_.with(defines);
             program.use();
             if (ready.insert(&program).second) {

@@ -52,12 +52,14 @@ float kelemen_szirmay_kalos(const glm::vec3& N, const glm::vec3& L, const glm::v
 Skin::Skin(const Geometry& geometry, const scene::Look& look) : geometry_(geometry), look_(look) {
     for (const scene::Material& source : geometry.model().materials) {
         // A material that says nothing of its roughness has the look's slope, whose root is the roughness.
-        Material material{{source.base_color, true, glm::vec3(1)},
-                          {source.normal, false, glm::vec3(0.5f, 0.5f, 1)},
-                          {source.roughness, false, glm::vec3(1)},
+        Material material{{source.base_color, true, glm::vec4(1)},
+                          {source.normal, false, glm::vec4(0.5f, 0.5f, 1, 1)},
+                          {source.roughness, false, glm::vec4(1)},
+                          {source.specular, false, glm::vec4(1)},
                           source.base_color_factor,
                           source.normal ? source.normal_scale : 0,
                           source.roughness_factor < 0 ? std::sqrt(look.roughness) : source.roughness_factor,
+                          source.specular_factor,
                           source.double_sided,
                           {},
                           {}};
@@ -114,7 +116,7 @@ glm::vec3 Skin::mapped_normal(const Material& material, const glm::vec3& N, cons
     const glm::vec3 t(tangent);
     const glm::vec3 T = unit_or(t - N * glm::dot(N, t), glm::vec3(0));
     const glm::vec3 B = glm::cross(N, T) * tangent.w;
-    const glm::vec3 n = material.normal.at(uv) * 2.0f - 1.0f;
+    const glm::vec3 n = glm::vec3(material.normal.at(uv)) * 2.0f - 1.0f;
     return unit_or((T * n.x + B * n.y) * material.normal_scale + N * n.z, N);
 }
 
@@ -141,8 +143,9 @@ SkinPoint Skin::point(const Place& place, const glm::dvec3& eye_mm) const {
     const double side = material.double_sided && glm::dot(facet, eye_mm - point.position_mm) < 0 ? -1.0 : 1.0;
     point.normal = unit_or(normal, glm::vec3(facet)) * static_cast<float>(side);
     point.mapped = mapped_normal(material, point.normal, tangent, uv);
-    point.color = material.base_color_factor * material.base_color.at(uv);
+    point.color = material.base_color_factor * glm::vec3(material.base_color.at(uv));
     point.slope = slope_of(material.roughness_factor * material.roughness.at(uv).g);
+    point.specular = look_.specular_intensity * material.specular_factor * material.specular.at(uv).a;
 
     // Lift the point to the tangent planes at the corners where the surface bulges, so that facets do not
     // shade themselves where the light turns away [Hanika2021].
@@ -174,7 +177,7 @@ glm::vec3 Skin::entering(const SkinPoint& point, const scene::Light& light, cons
     const auto add = [&](const scene::Beam& beam, bool is_lit) {
         const float NoL = glm::dot(point.mapped, beam.direction);
         if (is_lit && NoL > 0) {
-            const float transmitted = 1 - look_.specular_intensity * specular_albedo(point, NoL);
+            const float transmitted = 1 - point.specular * specular_albedo(point, NoL);
             irradiance += beam.irradiance * (NoL * transmitted);
         }
     };
@@ -186,8 +189,7 @@ glm::vec3 Skin::entering(const SkinPoint& point, const scene::Light& light, cons
 }
 
 glm::vec3 Skin::leaving(const SkinPoint& point, const glm::vec3& V) const {
-    const float transmitted =
-        1 - look_.specular_intensity * specular_albedo(point, glm::dot(point.mapped, V));
+    const float transmitted = 1 - point.specular * specular_albedo(point, glm::dot(point.mapped, V));
     return power(point.color, 1 - look_.texture_mix) * transmitted;
 }
 
@@ -201,7 +203,7 @@ glm::vec3 Skin::reflected(const SkinPoint& point, const scene::Light& light, con
         if (is_lit) {
             const float lobe =
                 kelemen_szirmay_kalos(point.mapped, beam.direction, V, point.slope, look_.fresnel_f0);
-            sum += beam.irradiance * (look_.specular_intensity * lobe / pi);
+            sum += beam.irradiance * (point.specular * lobe / pi);
         }
     };
     add(light, reached[0]);

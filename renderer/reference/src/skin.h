@@ -23,6 +23,7 @@ struct SkinPoint {
     glm::vec3 mapped{0};     ///< normal with the normal map
     glm::vec3 color{0};      ///< albedo, linear Rec. 709
     float slope = 0;         ///< Beckmann's m
+    float specular = 0;      ///< what the reflection is multiplied with
     std::size_t material = 0;
 };
 
@@ -50,9 +51,9 @@ public:
 
 private:
     struct Material {
-        Texture base_color, normal, roughness;
+        Texture base_color, normal, roughness, specular;
         glm::vec3 base_color_factor{1};
-        float normal_scale = 1, roughness_factor = 1;
+        float normal_scale = 1, roughness_factor = 1, specular_factor = 1;
         bool double_sided = false;
         /// Specular albedo by cosine, a row for each slope in `slopes`.
         std::vector<float> slopes, specular_albedo;

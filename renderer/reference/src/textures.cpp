@@ -27,22 +27,23 @@ Neighbours neighbours(float coordinate, int size) {
 
 } // namespace
 
-Texture::Texture(const scene::ImagePtr& image, bool srgb, const glm::vec3& constant)
+Texture::Texture(const scene::ImagePtr& image, bool srgb, const glm::vec4& constant)
     : image_(image.get()), constant_(constant) {
     for (int i = 0; i < 256; ++i) {
         decoded_.push_back(static_cast<float>(srgb ? optics::linear_from_srgb(i / 255.0) : i / 255.0));
     }
 }
 
-glm::vec3 Texture::texel(int x, int y) const {
+glm::vec4 Texture::texel(int x, int y) const {
     const auto channels = static_cast<std::size_t>(image_->channels);
     const std::size_t i = channels * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image_->width) +
                                       static_cast<std::size_t>(x));
     const std::uint8_t* p = &image_->pixels[i];
-    return {decoded_[p[0]], decoded_[p[1]], decoded_[p[2]]};
+    return {decoded_[p[0]], decoded_[p[1]], decoded_[p[2]],
+            channels == 4 ? static_cast<float>(p[3]) / 255 : 1.0f};
 }
 
-glm::vec3 Texture::at(const glm::vec2& uv) const {
+glm::vec4 Texture::at(const glm::vec2& uv) const {
     if (image_ == nullptr) {
         return constant_;
     }

@@ -70,9 +70,12 @@ tinygltf::Model parse(const fs::path& file) {
         throw support::input_error("{}: expected a glTF 2.0 model, found: {}", file.string(),
                                    error.empty() ? "nothing that could be read" : support::one_line(error));
     }
-    if (!model.extensionsRequired.empty()) {
-        throw support::input_error("{}: extensionsRequired: expected none, found {} (not supported)",
-                                   file.string(), support::one_line(model.extensionsRequired.front()));
+    for (const std::string& extension : model.extensionsRequired) {
+        if (extension != specular_extension) {
+            throw support::input_error(
+                "{}: extensionsRequired: expected none but {}, found {} (not supported)", file.string(),
+                specular_extension, support::one_line(extension));
+        }
     }
     return model;
 }

@@ -92,9 +92,7 @@ private:
         const bool textured[] = {pbr.baseColorTexture.texCoord != 0, source.normalTexture.texCoord != 0,
                                  pbr.metallicRoughnessTexture.texCoord != 0};
         if (textured[0] || textured[1] || textured[2]) {
-            throw support::input_error("{}: {}: expected textures on TEXCOORD_0, found another texCoord (not "
-                                       "supported)",
-                                       file_.string(), what);
+            throw texture_coordinates_error(what);
         }
         if (!(std::abs(source.normalTexture.scale) <= largest_normal_scale)) {
             throw support::input_error("{}: {}.normalTexture.scale: expected -{} to {}, found {}",
@@ -130,7 +128,42 @@ private:
             }
             material.roughness_factor = static_cast<float>(pbr.roughnessFactor);
         }
+        const auto specular = source.extensions.find(specular_extension);
+        if (specular != source.extensions.end()) {
+            read_specular(specular->second, fmt::format("{}.{}", what, specular_extension), material);
+        }
         return material;
+    }
+
+    /// How strong the reflection is; its colour is white on skin, whatever the file says.
+    void read_specular(const tinygltf::Value& extension, const std::string& what, Material& material) {
+        if (extension.Has("specularFactor")) {
+            const tinygltf::Value& factor = extension.Get("specularFactor");
+            const double value = factor.IsNumber() ? factor.GetNumberAsDouble() : -1;
+            if (!(value >= 0 && value <= 1)) {
+                throw support::input_error("{}: {}.specularFactor: expected 0 to 1, found {}", file_.string(),
+                                           what, factor.IsNumber() ? fmt::to_string(value) : "no number");
+            }
+            material.specular_factor = static_cast<float>(value);
+        }
+        if (extension.Has("specularTexture")) {
+            const tinygltf::Value& found = extension.Get("specularTexture");
+            if (!found.Has("index") || !found.Get("index").IsInt()) {
+                throw support::input_error("{}: {}.specularTexture.index: expected a whole number",
+                                           file_.string(), what);
+            }
+            if (found.Has("texCoord") && !(found.Get("texCoord").IsInt() && //
+                                           found.Get("texCoord").GetNumberAsInt() == 0)) {
+                throw texture_coordinates_error(what);
+            }
+            material.specular = texture(found.Get("index").GetNumberAsInt(), what + ".specularTexture");
+        }
+    }
+
+    support::InputError texture_coordinates_error(const std::string& what) const {
+        return support::input_error(
+            "{}: {}: expected textures on TEXCOORD_0, found another texCoord (not supported)", file_.string(),
+            what);
     }
 
     const tinygltf::Model& source_;

@@ -14,6 +14,9 @@
 
 namespace renderer::scene {
 
+/// The one extension that is read.
+constexpr const char* specular_extension = "KHR_materials_specular";
+
 /// All materials of a parsed file, images decoded, overrides applied; one more at the end for primitives that
 /// name none. Throws support::InputError that names the field.
 std::vector<Material> read_materials(const tinygltf::Model& source, const AccessorReader& reader,

@@ -38,9 +38,11 @@ std::string content_digest(const Model& model) {
         append_image(bytes, material.base_color);
         append_image(bytes, material.normal);
         append_image(bytes, material.roughness);
+        append_image(bytes, material.specular);
         append(bytes, material.base_color_factor);
         append(bytes, material.normal_scale);
         append(bytes, material.roughness_factor);
+        append(bytes, material.specular_factor);
         append(bytes, material.double_sided);
         digests += support::sha256(bytes);
     }

@@ -26,9 +26,11 @@ struct Material {
     ImagePtr base_color;            ///< sRGB; null: white
     ImagePtr normal;                ///< tangent space, green up the image as in glTF; null: flat
     ImagePtr roughness;             ///< green channel; null: 1
+    ImagePtr specular;              ///< strength of the reflection, alpha channel; null: 1
     glm::vec3 base_color_factor{1}; ///< linear Rec. 709
     float normal_scale = 1;
     float roughness_factor = -1; ///< glTF's perceptual roughness in [0, 1]; negative: the file says nothing
+    float specular_factor = 1;   ///< multiplies the look's specular intensity, in [0, 1]
     bool double_sided = false;
     bool scatters = true; ///< light enters and leaves again elsewhere; else it is reflected where it falls
 };
