@@ -61,6 +61,10 @@ passes::Stretch stretch(const study::StretchSettings& settings) {
 
 } // namespace
 
+scene::Model load_head(const study::Protocol& protocol, HeadDetail detail) {
+    return arranged(simplified(builtin_head(), detail), protocol);
+}
+
 scene::Model load_model(const study::Protocol& protocol, const std::optional<fs::path>& file) {
     scene::Model model = unrefined_model(protocol, file);
     for (scene::Mesh& mesh : model.meshes) {

@@ -141,7 +141,7 @@ TEST(FramesTest, theScreenHidesEveryHead) {
 
 TEST(FramesTest, scenesHoldEveryRowOfThePapersTables) {
     std::set<std::pair<std::string, int>> rows;
-    for (const FrameScene& one : measure::frame_scenes(8, false)) {
+    for (const FrameScene& one : measure::frame_scenes(8, false, true)) {
         for (const FramePlace& place : one.places) {
             rows.insert(
                 {std::string(place.table) + ' ' + std::string(place.axis) + ' ' + std::string(place.value),
@@ -163,10 +163,27 @@ TEST(FramesTest, scenesHoldEveryRowOfThePapersTables) {
     for (const char* place : {"ten_heads_far", "five_heads_hidden", "five_heads_outside", "five_busts"}) {
         EXPECT_TRUE(rows.contains({std::string("section7_5 scene ") + place, 1})) << place;
     }
+    for (const char* level : {"full", "fifth", "tenth"}) {
+        EXPECT_TRUE(rows.contains({std::string("levels ten_heads_far ") + level, 1})) << level;
+        EXPECT_TRUE(rows.contains({std::string("levels one_head_medium ") + level, 1})) << level;
+    }
+}
+
+TEST(FramesTest, eachLevelOfTheHeadIsAModelOfItsOwn) {
+    std::set<std::string> models;
+    for (const FrameScene& one : measure::frame_scenes(1, true, true)) {
+        if (one.level) {
+            EXPECT_TRUE(models.insert(one.model_key()).second) << one.name();
+        }
+    }
+    EXPECT_EQ(models.size(), 3U);
+    for (const FrameScene& one : measure::frame_scenes(1, false, false)) {
+        EXPECT_FALSE(one.level) << one.name();
+    }
 }
 
 TEST(FramesTest, everySceneComparesWithTheFaithfulTextureSpaceAndReusesNothing) {
-    for (const FrameScene& one : measure::frame_scenes(4, false)) {
+    for (const FrameScene& one : measure::frame_scenes(4, false, true)) {
         int compared_with = 0;
         for (const auto& setting : measure::frame_settings(one, measure::study_of_2009())) {
             EXPECT_FALSE(setting.switches.share);

@@ -13,6 +13,7 @@
 #include <head_cache.h>
 #include <head_thickness.h>
 #include <renderer/scene/gltf.h>
+#include <stimuli/setup.h>
 
 #include "head_under_test.h"
 #include "small_set.h"
@@ -126,6 +127,19 @@ TEST(HeadLevelsTest, keepVerticesAsTheyWereAndTheSurfaceClosed) {
         }
         EXPECT_NE(simple.digest, head().digest);
     }
+}
+
+TEST(HeadLevelsTest, standInAProtocolsScene) {
+    study::Protocol protocol = study::read_protocol(fs::path(PROTOCOLS) / "jimenez2009.toml");
+    protocol.scene.heads = {{{-200, 0, 0}, 0}, {{0, 0, 0}, 0}, {{200, 0, 0}, 0}};
+    const Model heads = stimuli::load_head(protocol, stimuli::HeadDetail::tenth);
+    std::size_t triangles = 0;
+    for (const renderer::scene::Mesh& one : heads.meshes) {
+        triangles += one.indices.size() / 3;
+    }
+    // As many as simplifying leaves in one head, which is a few less than a tenth.
+    EXPECT_LE(triangles, 3 * (mesh().indices.size() / 3 / 10));
+    EXPECT_GT(triangles, 3 * (mesh().indices.size() / 3 / 11));
 }
 
 TEST(HeadThicknessTest, ofABallIsWhatGeometrySays) {

@@ -27,6 +27,8 @@ constexpr const char* footer = R"(DESCRIPTION
   section7_5  the scenes of the text, at 1x: ten heads far away, five heads behind a plane, five heads outside of the
               view, five marble busts
   effects     scattering, bloom and depth of field, each by itself
+  levels      the built-in head with all its triangles, a fifth and a tenth of them (skin2afc head --level): ten heads
+              far away, and one; left out with --model
   own         the first scene of table3 with the shadow map of 4096 texels that this program's studies have; all
               others have the papers' 512
 
@@ -40,7 +42,7 @@ constexpr const char* footer = R"(DESCRIPTION
 
   Every setting is checked before anything is timed: its frames are finite, the same twice, empty only where they are
   to be, and the same from all shaders where the heads are hidden. Then each round times every scene and setting once,
-  in an order drawn from a fixed seed, the settings of a scene side by side; scenes are timed in five blocks, so that
+  in an order drawn from a fixed seed, the settings of a scene side by side; scenes are timed in six blocks, so that
   memory holds their maps. Every frame has a new light and a new camera and computes all it needs; reading the picture
   back is left out. Times are wall time up to the end of the frame where OpenGL runs on the CPU, else GL_TIME_ELAPSED;
   those of scattering, bloom and depth of field by themselves are wall time up to the end of each. Median and median
@@ -107,7 +109,7 @@ void add_bench_frames(CLI::App& bench) {
         ->type_name("N");
     command->add_option("--only", arguments->request.tables, "Time the scenes of these tables alone")
         ->delimiter(',')
-        ->check(CLI::IsMember({"table3", "own", "table7_2", "section7_5", "effects"}))
+        ->check(CLI::IsMember({"table3", "own", "table7_2", "section7_5", "effects", "levels"}))
         ->type_name("TABLE[,TABLE...]");
     command->add_flag("--quick", arguments->request.quick,
                       "Half of the width and height, a quarter of the pixels; fewer scenes; 3 rounds");

@@ -87,7 +87,8 @@ public:
         result_.on_cpu = gl::runs_on_cpu();
         result_.highest_samples = driver_samples();
         result_.texel_bytes = blur_texel_bytes(passes::FullMethod{}.target_bits, result_.on_cpu);
-        std::vector<FrameScene> scenes = frame_scenes(result_.highest_samples, request_.quick);
+        std::vector<FrameScene> scenes =
+            frame_scenes(result_.highest_samples, request_.quick, !request_.model_file);
         std::erase_if(scenes, [&](const FrameScene& s) { return !wanted(s.places.front().table); });
         if (scenes.empty()) {
             throw support::input_error(
@@ -155,6 +156,11 @@ private:
         models_.clear();
     }
 
+    scene::Model loaded(const FrameScene& one, const study::Protocol& protocol) const {
+        return one.level ? stimuli::load_head(protocol, *one.level)
+                         : stimuli::load_model(protocol, one.busts ? bust_file() : request_.model_file);
+    }
+
     Timed prepared(const FrameScene& one) {
         Timed timed;
         timed.scene = one;
@@ -164,9 +170,7 @@ private:
         timed.node_ms.resize(timed.settings.size());
         const auto model = models_.find(one.model_key());
         if (model == models_.end()) {
-            models_.emplace(one.model_key(),
-                            std::make_unique<scene::Model>(stimuli::load_model(
-                                timed.protocol, one.busts ? bust_file() : request_.model_file)));
+            models_.emplace(one.model_key(), std::make_unique<scene::Model>(loaded(one, timed.protocol)));
         }
         timed.camera = stimuli::camera(timed.protocol, timed.protocol.camera.distances.front(),
                                        stimuli::head_frame(timed.protocol, *models_.at(one.model_key())));

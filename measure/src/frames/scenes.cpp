@@ -128,6 +128,27 @@ void add_effects(std::vector<FrameScene>& scenes, int block, bool quick) {
     }
 }
 
+/// What triangles cost where heads are small, and where they are not.
+void add_levels(std::vector<FrameScene>& scenes, int block, bool quick) {
+    constexpr std::array<std::pair<stimuli::HeadDetail, std::string_view>, 3> levels{
+        {{stimuli::HeadDetail::full, "full"},
+         {stimuli::HeadDetail::fifth, "fifth"},
+         {stimuli::HeadDetail::tenth, "tenth"}}};
+    for (const auto& [level, name] : levels) {
+        FrameScene scene = scene_of({{"levels", "ten_heads_far", name}}, block);
+        scene.heads = 10;
+        scene.distance = HeadDistance::far;
+        scene.level = level;
+        scenes.push_back(scene);
+        if (!quick) {
+            scene.places = {{"levels", "one_head_medium", name}};
+            scene.heads = 1;
+            scene.distance = HeadDistance::medium;
+            scenes.push_back(scene);
+        }
+    }
+}
+
 double view_width_mm(double distance_mm, const study::Protocol& protocol) {
     const double aspect = static_cast<double>(protocol.image.width) / protocol.image.height;
     return 2 * distance_mm * std::tan(glm::radians(protocol.camera.fov_deg) / 2) * aspect;
@@ -145,8 +166,9 @@ std::string_view distance_name(HeadDistance distance) {
 
 std::string FrameScene::model_key() const {
     // How many stand in a row depends on the view's width.
-    return fmt::format("{} {}{}{}", heads, busts ? "busts" : "heads", hidden ? " hidden" : "",
-                       heads > 1 ? fmt::format(" {}", distance_name(distance)) : "");
+    return fmt::format("{} {}{}{}{}", heads, busts ? "busts" : "heads", hidden ? " hidden" : "",
+                       heads > 1 ? fmt::format(" {}", distance_name(distance)) : "",
+                       level ? fmt::format(" level {}", static_cast<int>(*level)) : "");
 }
 
 std::string FrameScene::rig_key() const {
@@ -158,7 +180,7 @@ std::string FrameScene::name() const {
     return fmt::format("{} {} {}, MSAA {}", place.table, place.axis, place.value, samples);
 }
 
-std::vector<FrameScene> frame_scenes(int highest_samples, bool quick) {
+std::vector<FrameScene> frame_scenes(int highest_samples, bool quick, bool levels) {
     std::vector<FrameScene> scenes;
     add_table3(scenes, highest_samples, 0, quick);
     add_table7_2(scenes, 1, 1, quick);
@@ -167,6 +189,9 @@ std::vector<FrameScene> frame_scenes(int highest_samples, bool quick) {
     }
     add_section7_5(scenes, 3, quick);
     add_effects(scenes, 4, quick);
+    if (levels) {
+        add_levels(scenes, 5, quick);
+    }
     return scenes;
 }
 

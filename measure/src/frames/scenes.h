@@ -8,6 +8,7 @@
 
 #include <renderer/passes/pipeline.h>
 #include <renderer/scene/model.h>
+#include <stimuli/head.h>
 #include <study/protocol.h>
 
 #include "published.h"
@@ -31,12 +32,13 @@ struct FrameScene {
     HeadDistance distance = HeadDistance::medium;
     int samples = 1;
     std::string profile = "skin_4g_jimenez2010";
-    int shadow_map_size = 512; ///< as both papers have it
-    bool hidden = false;       ///< a screen stands before the heads
-    bool outside = false;      ///< the camera looks past the heads
-    bool busts = false;        ///< of marble
-    bool effects = false;      ///< with depth of field, and each node timed by itself
-    int block = 0;             ///< scenes of one block are timed in the same rounds
+    int shadow_map_size = 512;                ///< as both papers have it
+    bool hidden = false;                      ///< a screen stands before the heads
+    bool outside = false;                     ///< the camera looks past the heads
+    bool busts = false;                       ///< of marble
+    bool effects = false;                     ///< with depth of field, and each node timed by itself
+    std::optional<stimuli::HeadDetail> level; ///< of the built-in head
+    int block = 0;                            ///< scenes of one block are timed in the same rounds
 
     /// The same for scenes that show copies of the same model to the same pipelines.
     std::string model_key() const;
@@ -44,8 +46,8 @@ struct FrameScene {
     std::string name() const;
 };
 
-/// All scenes, block by block. `quick`: fewer.
-std::vector<FrameScene> frame_scenes(int highest_samples, bool quick);
+/// All scenes, block by block. `quick`: fewer; `levels`: with those of the built-in head's levels.
+std::vector<FrameScene> frame_scenes(int highest_samples, bool quick, bool levels);
 
 /// A way to render a scene.
 struct FrameSetting {

@@ -9,9 +9,13 @@
 #include <renderer/passes/pipeline.h>
 #include <renderer/reference/reference.h>
 #include <renderer/scene/camera.h>
+#include <stimuli/head.h>
 #include <study/protocol.h>
 
 namespace stimuli {
+
+/// The built-in head with so many of its triangles, as often as the protocol's scene has it, not rounded off.
+renderer::scene::Model load_head(const study::Protocol& protocol, HeadDetail detail);
 
 /// The model in `file`, else the protocol's, else the built-in head, rounded off as the protocol says. Throws
 /// support::InputError.
