@@ -23,8 +23,9 @@ constexpr const char* footer = R"(DESCRIPTION
   lids, no hair, neck and shoulders. Metres, +Y up, the face towards +Z, 232 mm from chin to vertex. One watertight
   mesh, one chart with its seam at the back. The same options give the same file on the same machine.
 
-  Maps, as PNG: albedo, normals and roughness (2048 x 2048), and the thickness of the flesh below each place (512 x 512,
-  KHR_materials_volume: green, 1 being 40 mm). KHR_materials_ior says 1.4, skin's reflectance of 0.028.
+  Maps, as PNG: albedo, normals, roughness with the strength of the reflection in alpha (2048 x 2048;
+  KHR_materials_specular), and the thickness of the flesh below each place (512 x 512, KHR_materials_volume: green, 1
+  being 40 mm). KHR_materials_ior says 1.4, skin's reflectance of 0.028.
 
   Without options it is the head that other commands use when they get no --model.
 
