@@ -70,6 +70,7 @@ TEST(ReferenceAgreementTest, agreesWithTheUnscatteredPassesOnAllButShadows) {
     model.materials[0].base_color_factor = {0.9f, 0.7f, 0.5f};
     scene::Look look;
     look.profile.gaussians = {{0, glm::dvec3(1)}};
+    look.specular_intensity = 1; // so that an error in the reflection's strength shows
     look.bloom_strength = 0.4f;
     look.bloom_sigma_px = 20;
     look.exposure = 1.3f;
