@@ -17,41 +17,44 @@ struct Lump {
     float height_mm;
 };
 
-constexpr std::array<Lump, 21> lumps{{
-    {{27, 50, 88}, {22, 18, 30}, 1.6F},       // frontal eminence
-    {{21, 20, 92}, {18, 9, 24}, 3.7F},        // brow ridge
-    {{0, 25, 95}, {13, 10, 20}, 0.9F},        // between the brows
-    {{43, 15, 78}, {12, 8, 18}, 4.2F},        // its outer end
-    {{33, 7, 82}, {13, 5, 16}, 2.2F},         // soft tissue between brow and lid
-    {{66, 28, 45}, {16, 20, 24}, -2.5F},      // temple
-    {{12, 3, 84}, {7.5F, 10, 20}, -6.0F},     // inner corner of the socket
-    {{31, -13, 80}, {16, 6.5F, 18}, -2.8F},   // below the lower lid
-    {{46, 0, 72}, {9, 8, 18}, -4.5F},         // outer corner
-    {{43, -24, 74}, {17, 14, 24}, 4.6F},      // cheekbone
+constexpr std::array<Lump, 24> lumps{{
+    {{28, 50, 88}, {20, 17, 30}, 1.2F},       // frontal eminence
+    {{16, 18, 93}, {13, 8, 24}, 3.6F},        // brow ridge
+    {{31, 20.5F, 88}, {13, 7, 22}, 3.0F},     // rising outwards
+    {{0, 21, 95}, {11, 10, 20}, 2.2F},        // between the brows
+    {{45, 16, 76}, {11, 8, 18}, 4.2F},        // its outer end
+    {{39, 8, 80}, {12, 4.5F, 16}, 1.6F},      // soft tissue between brow and lid
+    {{66, 28, 45}, {16, 20, 24}, -4.0F},      // temple
+    {{15, 5, 84}, {6.5F, 7, 20}, -3.4F},      // inner corner of the socket
+    {{27, 7, 82}, {12, 5, 18}, -2.2F},        // its roof
+    {{47, -1, 72}, {9, 8, 18}, -1.8F},        // outer corner
+    {{43, -24, 74}, {17, 12, 24}, 3.2F},      // cheekbone
     {{60, -20, 48}, {12, 10, 22}, 2.4F},      // its arch towards the ear
-    {{49, -54, 60}, {20, 20, 30}, 5.4F},      // fat of the cheek
-    {{0, -66, 94}, {20, 20, 26}, 5.4F},       // teeth carry the lips
-    {{35, -63, 78}, {14, 19, 22}, 4.4F},      // fullness beside the mouth
-    {{24, -48, 84}, {9, 12, 18}, 1.4F},       // beside the nose's wing
+    {{27, -30, 84}, {10, 11, 20}, 1.2F},      // cheek beside the nose
+    {{44, -48, 66}, {17, 17, 28}, 2.0F},      // fat of the cheek
+    {{58, -55, 44}, {13, 16, 24}, -2.2F},     // hollow below the cheekbone
+    {{0, -62, 94}, {20, 18, 26}, 3.6F},       // teeth carry the lips
+    {{32, -66, 80}, {8, 11, 18}, 2.0F},       // muscle beside the mouth's corner
+    {{25, -83, 82}, {8, 6, 16}, -1.4F},       // below the corner
     {{9, 2, 86}, {4, 12, 20}, -1.5F},         // beside the nose's root
-    {{0, -89.5F, 92}, {17, 4.5F, 18}, -3.4F}, // groove above the chin
-    {{0, -102, 90}, {17, 11, 22}, 7.0F},      // chin
-    {{27, -101, 72}, {12, 9, 16}, -0.8F},     // beside the chin
-    {{0, -7, 84}, {40, 16, 22}, -1.0F},       // middle of the face
-    {{50, -82, 14}, {16, 16, 24}, 3.4F},      // angle of the jaw
+    {{0, -84.5F, 94}, {17, 4.6F, 18}, -4.6F}, // groove above the chin
+    {{0, -101, 92}, {15, 10, 22}, 6.0F},      // chin
+    {{10, -102, 88}, {9, 8, 20}, 1.2F},       // its two halves
+    {{28, -101, 72}, {12, 9, 16}, -1.2F},     // beside the chin
+    {{50, -82, 14}, {16, 16, 24}, 2.8F},      // angle of the jaw
 }};
 
 /// What fifty years, from 20 to 70, add.
 constexpr std::array<Lump, 9> ageing{{
     {{32, -15, 82}, {13, 4.5F, 16}, 1.5F},  // bags below the eyes
     {{33, -22, 80}, {17, 3.5F, 18}, -1.3F}, // and the groove below them
-    {{38, 8, 80}, {16, 5, 18}, 1.2F},       // skin that hangs over the lid
+    {{40, 8, 80}, {14, 5, 18}, 1.2F},       // skin that hangs over the lid
     {{60, 22, 48}, {16, 18, 24}, -2.0F},    // temples
-    {{52, -50, 56}, {15, 15, 24}, -1.6F},   // hollow cheeks
-    {{33, -97, 66}, {12, 11, 18}, 2.6F},    // jowls
-    {{24, -92, 78}, {5, 10, 14}, -1.2F},    // before them
+    {{52, -50, 56}, {15, 15, 24}, -2.0F},   // hollow cheeks
+    {{33, -96, 66}, {12, 11, 18}, 3.0F},    // jowls
+    {{24, -91, 78}, {5, 10, 14}, -1.6F},    // before them
     {{0, -124, 36}, {16, 9, 16}, 1.6F},     // below the chin
-    {{0, -64, 98}, {20, 8, 18}, -1.0F},     // thinner upper lip
+    {{0, -62, 98}, {20, 8, 18}, -1.0F},     // thinner upper lip
 }};
 
 float lump_height(const Lump& lump, glm::vec3 p) {
@@ -64,21 +67,22 @@ float add_nose(float skin, glm::vec3 p) {
     if (p.z < 60 || p.x > 40 || p.y > 30 || p.y < -66) {
         return skin;
     }
-    // Bone and cartilage of the bridge, wide flanks, the tip, and the septum down to the lip.
-    const float bridge = capsule(p, {0, 6, 85.2F}, {0, -29, 105.0F}, 3.8F, 6.3F);
-    const float flank = capsule(p, {4, -4, 78}, {8.2F, -35, 91}, 3.6F, 7.6F);
-    const float tip = glm::length((p - nose_tip) / glm::vec3(1.06F, 1, 1)) - 8.0F;
-    const float septum = capsule(p, {0, -41, 105.0F}, {0, -47, 92}, 4.2F, 5.2F);
-    float nose = join(bridge, flank, 14);
-    nose = join(nose, tip, 13);
-    skin = join(skin, nose, 10);
+    // Bone and cartilage of the bridge, flanks that slope to the cheeks, the tip's two domes, and the septum
+    // down to the lip.
+    const float bridge = capsule(p, {0, 9, 86.8F}, {0, -23, 102.6F}, 5.2F, 7.0F);
+    const float flank = capsule(p, {8.0F, -4, 76.5F}, {10.5F, -27, 91.0F}, 5.6F, 8.6F);
+    const float tip = capsule(p, nose_tip, nose_tip + glm::vec3(3.2F, -0.4F, -0.8F), 6.8F, 6.3F);
+    const float septum = capsule(p, {0, -36, 106.0F}, {0, -42.5F, 96.5F}, 3.6F, 4.6F);
+    float nose = join(bridge, flank, 15);
+    nose = join(nose, tip, 11);
+    skin = join(skin, nose, 9);
     skin = join(skin, septum, 5);
 
     // The wings sit on the cheeks with a crease around them; the nostrils open below.
-    const float wing = capsule(p, {12.0F, -40.6F, 91.5F}, {6.5F, -39.5F, 101.5F}, 5.0F, 5.2F);
-    skin += 1.1F * bell(wing - 0.6F, 1.9F) * smooth_step(102, 94, p.z);
+    const float wing = capsule(p, {12.8F, -37.2F, 93.5F}, {7.6F, -35.6F, 102.5F}, 5.0F, 5.4F);
+    skin += 1.1F * bell(wing - 0.6F, 1.9F) * smooth_step(103, 95, p.z);
     skin = join(skin, wing, 2.8F);
-    const float nostril = ellipsoid(p, {7.0F, -50.0F, 99.0F}, {3.6F, 6.0F, 6.2F});
+    const float nostril = ellipsoid(p, {7.2F, -46.2F, 100.0F}, {3.5F, 6.0F, 6.2F});
     return carve(skin, -nostril, 2.0F);
 }
 
@@ -101,11 +105,11 @@ float add_eye(float skin, glm::vec3 p) {
 }
 
 float add_mouth(float skin, glm::vec3 p) {
-    if (p.z < 55 || p.x > 40 || p.y > -48 || p.y < -100) {
+    if (p.z < 55 || p.x > 40 || p.y > -43 || p.y < -97) {
         return skin;
     }
     // Philtrum, between two ridges.
-    const float philtrum = smooth_step(-66, -61, p.y) * smooth_step(-47, -52, p.y);
+    const float philtrum = smooth_step(-63.5F, -58.5F, p.y) * smooth_step(-43, -48, p.y);
     skin += philtrum * (1.3F * bell(p.x, 3.2F) - 0.6F * bell(p.x - 6, 2.8F));
 
     // Lips: the upper swells to its edge and turns down from there, the lower is fullest in its middle.
@@ -118,22 +122,24 @@ float add_mouth(float skin, glm::vec3 p) {
     const float lower = smooth_step(1.5F, 0.4F, down) * (0.2F + 0.8F * smooth_step(-0.05F, 0.5F, down));
     const float lips = p.y > line ? 4.0F * upper : 4.2F * lower;
     skin -= full * lips;
+    // A narrow roll of pale skin borders the red.
+    skin -= 0.45F * std::sqrt(full) * (bell(p.y - top - 0.9F, 1.2F) + 0.6F * bell(p.y - bottom + 0.9F, 1.3F));
 
     // The corners dip in, and the line between the lips runs into them.
-    const float corner = bell(glm::length(glm::vec2(p.x - mouth_half_width - 0.5F, p.y + 71.6F)), 4.0F);
+    const float corner = bell(glm::length(glm::vec2(p.x - mouth_half_width - 0.5F, p.y + 69.8F)), 4.0F);
     const float parting = bell(p.y - line, 1.1F) * smooth_step(1.08F, 0.9F, s);
     return skin + 1.6F * corner + 0.9F * parting;
 }
 
 /// The fold from the nose's wing to beside the mouth: a rounded step from the cheek down to the lip.
 float add_nasolabial_fold(const Person& person, float skin, glm::vec3 p) {
-    if (p.z < 50 || p.y > -30 || p.y < -90) {
+    if (p.z < 50 || p.y > -26 || p.y < -86) {
         return skin;
     }
-    const float t = std::clamp((-40 - p.y) / 38, -0.2F, 1.2F);
-    const float outside = p.x - (19.5F + 13.5F * t - 1.5F * arch(t));
+    const float t = std::clamp((-36 - p.y) / 38, -0.2F, 1.2F);
+    const float outside = p.x - (19.0F + 13.5F * t - 1.5F * arch(t));
     const float present = smooth_step(-0.15F, 0.2F, t) * smooth_step(1.1F, 0.45F, t);
-    return skin - (0.55F + 0.9F * std::max(person.age, 0.0F)) * present *
+    return skin - (0.9F + 1.1F * std::max(person.age, 0.0F)) * present *
                       (0.9F * smooth_step(-5, 5, outside) * smooth_step(17, 5, outside) -
                        0.5F * bell(outside + 1, 2.6F));
 }

@@ -23,15 +23,15 @@ struct Section {
 /// long.
 constexpr float top_y = 42, spacing_y = 20;
 constexpr std::array<Section, 9> sections{{
-    {76.0F, -24, 92.6F, -103, 1.95F},  // y = 42, the widest place of the skull
-    {75.2F, -20, 92.6F, -101, 1.95F},  // 22, brows
-    {72.0F, -11, 85.2F, -93.5F, 2.0F}, // 2, eyes
-    {68.8F, -2, 85.5F, -78, 2.08F},    // -18, cheekbones
-    {65.0F, 2, 88.5F, -62, 2.05F},     // -38, nose
-    {61.0F, 4, 93.5F, -47, 2.0F},      // -58, upper lip
-    {54.5F, 4, 93.0F, -34, 2.05F},     // -78, lower lip
-    {48.5F, 9, 92.5F, -22, 2.0F},      // -98, chin
-    {40.0F, 16, 88.0F, -10, 2.1F},     // -118
+    {76.0F, -24, 93.0F, -103, 2.35F},  // y = 42, the widest place of the skull
+    {75.2F, -20, 92.5F, -101, 2.45F},  // 22, brows
+    {72.0F, -11, 81.5F, -93.5F, 2.6F}, // 2, eyes
+    {69.4F, -2, 86.0F, -78, 2.6F},     // -18, cheekbones
+    {66.6F, 2, 91.0F, -62, 2.5F},      // -38, nose
+    {63.0F, 4, 95.0F, -47, 2.4F},      // -58, upper lip
+    {58.0F, 4, 94.5F, -34, 2.3F},      // -78, lower lip
+    {50.5F, 9, 92.5F, -22, 2.2F},      // -98, chin
+    {41.0F, 16, 87.0F, -10, 2.1F},     // -118
 }};
 
 /// The section at a height: a uniform cubic B-spline, level at the top, whose curvature has no jumps.
@@ -71,21 +71,21 @@ float skull(glm::vec3 p) {
     // The jaw's edge rises from the chin to the angle below the ear.
     constexpr float jaw_slope = 0.40F;
     const float below = (chin_y - 0.6F - p.y + (80 - p.z) * jaw_slope) / std::sqrt(1 + jaw_slope * jaw_slope);
-    return carve(body, below, 20);
+    return carve(body, below, 26);
 }
 
 /// Neck, with its two oblique muscles and the larynx, shoulders that flare out from its back, collar bones,
 /// chest.
 float bust(glm::vec3 p) {
     const float axis_z = -21 + 0.25F * (p.y + 130);
-    const float neck = std::max((glm::length(glm::vec2(p.x / 55, (p.z - axis_z) / 57)) - 1) * 55, p.y + 15);
+    const float neck = std::max((glm::length(glm::vec2(p.x / 52, (p.z - axis_z) / 56)) - 1) * 52, p.y + 15);
     const float flare = std::pow(smooth_step(-100, -258, p.y), 1.4F);
     const float half_width = 40 + 170 * flare, thickness = 25 + 24 * smooth_step(-120, -240, p.y);
     const float ridge_z = -36 - 21 * smooth_step(-80, -200, p.y);
     const float half_depth = p.z > ridge_z ? 1.5F * thickness : thickness;
     const glm::vec2 section(p.x / half_width, (p.z - ridge_z) / half_depth);
     const float shoulders = carve((glm::length(section) - 1) * thickness, p.y + 60, 40);
-    const float sternomastoid = capsule(p, {55, -48, -22}, {11, -204, 22}, 10, 7);
+    const float sternomastoid = capsule(p, {54, -48, -20}, {11, -204, 23}, 11, 7);
     const float larynx = capsule(p, {0, -142, 31}, {0, -190, 14}, 8, 10);
     const float chest = ellipsoid(p, {0, -300, -42}, {185, 112, 76});
     const float collar_bone = capsule(p, {15, -206, 18}, {140, -200, -28}, 6, 5);

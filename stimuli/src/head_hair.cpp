@@ -75,34 +75,34 @@ void Hairs::add_brow(const Person& person, float side) {
     // below up.
     support::Generator generator(side < 0 ? "right brow" : "left brow", person.seed);
     const auto any = [&] { return static_cast<float>(generator.uniform()); };
-    const int count = static_cast<int>(1500 * (1 - 0.3F * std::clamp(person.age - 0.6F, 0.0F, 1.0F)));
+    const int count = static_cast<int>(820 * (1 - 0.3F * std::clamp(person.age - 0.6F, 0.0F, 1.0F)));
     for (int i = 0; i < count; ++i) {
-        const float s = std::pow(any(), 0.85F), across = any() + any() + any() - 1.5F;
-        const float half_height = glm::mix(6.2F, 3.4F, std::pow(s, 0.9F)) * smooth_step(-0.15F, 0.12F, s);
+        const float s = std::pow(any(), 0.80F), across = any() + any() + any() - 1.5F;
+        const float half_height = glm::mix(5.2F, 3.2F, std::pow(s, 0.9F)) * smooth_step(-0.25F, 0.18F, s);
         if (any() < 0.6F * smooth_step(0.75F, 1.1F, s)) {
             continue;
         }
-        const float x = 9.5F + 47 * s;
+        const float x = 11.0F + 45 * s;
         const glm::vec2 root(x, brow_y(x) + across * half_height - 0.8F);
         const float lean = across * (s < 0.2F ? 0.25F : 0.38F);
         const float angle = glm::mix(1.45F, 0.12F, std::pow(smooth_step(-0.1F, 0.6F, s), 0.6F)) - lean -
                             0.25F * s + 0.7F * (any() - 0.5F);
         const float length =
             glm::mix(4.0F, 6.5F, arch(std::min(s * 0.8F + 0.1F, 1.0F))) * (0.5F + 0.6F * any());
-        add({bent(root, angle, angle - 0.5F * (1 - s) - 0.15F, length), 0.035F + 0.045F * any()}, side);
+        add({bent(root, angle, angle - 0.5F * (1 - s) - 0.15F, length), 0.028F + 0.040F * any()}, side);
     }
 }
 
 void Hairs::add_lashes(const Person& person, float side) {
     support::Generator generator(side < 0 ? "right lashes" : "left lashes", person.seed);
     const auto any = [&] { return static_cast<float>(generator.uniform()); };
-    constexpr int count = 70;
+    constexpr int count = 60;
     for (int i = 0; i < count; ++i) {
         const float s = 0.05F + 0.97F * (static_cast<float>(i) + any()) / count;
         const float x = eye_inner_x + s * (eye_outer_x - eye_inner_x);
         const float length = (1.6F + 3.6F * smooth_step(0.0F, 0.7F, s)) * (0.7F + 0.4F * any());
         const float down = -1.57F + 1.0F * (s - 0.3F) + 0.35F * (any() - 0.5F);
-        add({bent({x, lid_line_y(x) + 0.1F}, down, down + 0.5F * (s - 0.1F), length), 0.06F + 0.03F * any()},
+        add({bent({x, lid_line_y(x) + 0.1F}, down, down + 0.5F * (s - 0.1F), length), 0.045F + 0.03F * any()},
             side);
     }
 }

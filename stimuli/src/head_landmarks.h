@@ -16,8 +16,8 @@ constexpr float vertex_y = 116, chin_y = -116; ///< 232 mm apart, the eyes half 
 constexpr glm::vec3 eye_centre{30.4F, -1.4F, 69.0F};
 constexpr float eye_radius = 12.4F;
 constexpr float eye_inner_x = 16.5F, eye_outer_x = 46.0F;
-constexpr glm::vec3 nose_tip{0, -35.6F, 106.2F};
-constexpr float mouth_half_width = 24.5F;
+constexpr glm::vec3 nose_tip{0, -30.8F, 107.0F};
+constexpr float mouth_half_width = 23.8F;
 constexpr float ear_tilt = 0.20F; ///< the ear's long axis leans back, radians
 constexpr glm::vec3 ear_root{71, -17, -13};
 
@@ -53,22 +53,22 @@ inline float lid_fold_y(float x) {
 /// Height of the brow's middle: rising to an arch at two thirds, then falling.
 inline float brow_y(float x) {
     const float s = (x - 9) / 48;
-    return 11.8F + 6.0F * s + 1.8F * arch(s) - 4.5F * square(std::max(s - 0.55F, 0.0F) / 0.45F);
+    return 13.0F + 4.6F * s + 2.4F * arch(s) - 5.5F * square(std::max(s - 0.55F, 0.0F) / 0.45F);
 }
 
 /// Heights of the upper lip's edge (with Cupid's bow), of the line between the lips, and of the lower lip's
 /// edge.
 inline float lip_top_y(float x) {
     const float s = std::min(x / mouth_half_width, 1.0F);
-    return -65.0F - 6.2F * std::pow(s, 1.3F) + 1.5F * bell(x - 5.5F, 4.0F);
+    return -62.2F - 5.6F * std::pow(s, 1.3F) + 1.4F * bell(x - 5.5F, 4.0F);
 }
 inline float lip_line_y(float x) {
     const float s = std::min(x / mouth_half_width, 1.0F);
-    return -71.9F + 0.9F * square(std::sin(2.4F * s)) - 0.3F * s;
+    return -69.2F + 1.3F * square(std::sin(2.0F * s)) - 1.5F * s;
 }
 inline float lip_bottom_y(float x) {
     const float s = std::min(x / mouth_half_width, 1.0F);
-    return -71.6F - 9.4F * std::pow(1 - s * s, 1.1F);
+    return -69.6F - 8.8F * std::pow(1 - s * s, 1.1F);
 }
 
 } // namespace stimuli::head

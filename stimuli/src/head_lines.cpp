@@ -56,16 +56,16 @@ float eye_mm(const Noise& noise, glm::vec3 p, glm::vec3 place) {
 /// Lines around the mouth: from the nose's wing down beside it, below its corner, and short ones down to the
 /// lip.
 float mouth_mm(const Person& person, const Noise& noise, glm::vec3 p, glm::vec3 place) {
-    const float t = std::clamp((-40 - p.y) / 38, -0.2F, 1.2F);
+    const float t = std::clamp((-36 - p.y) / 38, -0.2F, 1.2F);
     const float sway = 0.9F * noise(place / 12.0F);
-    const float fold = p.x - (19.0F + 13.5F * t - 1.5F * arch(t)) + sway;
+    const float fold = p.x - (18.5F + 13.5F * t - 1.5F * arch(t)) + sway;
     const float folded = smooth_step(-0.05F, 0.25F, t) * smooth_step(1.1F, 0.6F, t);
     float depth = 0.09F * folded * furrow(fold, 0.8F);
 
     const float older = std::max(person.age - 0.5F, 0.0F);
-    const float down = smooth_step(-72, -77, p.y) * smooth_step(-98, -84, p.y);
-    depth += 0.5F * older * down * furrow(p.x - 28.5F - 0.22F * (-73 - p.y) + sway, 0.8F);
-    const float above = smooth_step(-66, -63, p.y) * smooth_step(-53, -59, p.y) * smooth_step(27, 18, p.x);
+    const float down = smooth_step(-69, -74, p.y) * smooth_step(-95, -81, p.y);
+    depth += 0.5F * older * down * furrow(p.x - 28.5F - 0.22F * (-70 - p.y) + sway, 0.8F);
+    const float above = smooth_step(-63, -60, p.y) * smooth_step(-50, -56, p.y) * smooth_step(27, 18, p.x);
     depth +=
         0.22F * older * above * valley(noise({p.x / 2.3F, p.y / 22, place.x < 0 ? 11.5F : 12.5F}), 0.12F);
     return depth;

@@ -41,8 +41,8 @@ float on_lips(glm::vec3 folded) {
     const float within_top = lip_top_y(folded.x) - folded.y,
                 within_bottom = folded.y - lip_bottom_y(folded.x);
     const float within_side = mouth_half_width - 0.5F - folded.x;
-    return smooth_step(-1.2F, 1.4F, within_top) * smooth_step(-1.8F, 1.6F, within_bottom) *
-           smooth_step(-1.5F, 4.5F, within_side);
+    return smooth_step(-1.3F, 2.0F, within_top) * smooth_step(-1.6F, 3.0F, within_bottom) *
+           smooth_step(-1.5F, 5.5F, within_side);
 }
 
 } // namespace stimuli::head

@@ -26,23 +26,26 @@ struct Patch {
 };
 
 constexpr float blood_everywhere = 0.022F;
-constexpr std::array<Patch, 17> patches{{
-    {{0, -36, 110}, {12, 11, 18}, 0.050F, -0.25F}, // tip of the nose
-    {{13, -42, 95}, {7, 8, 12}, 0.050F, 0.05F},    // its wings
-    {{0, 0, 98}, {8, 14, 20}, -0.013F, 0.05F},     // its bridge
-    {{46, -34, 72}, {20, 19, 30}, 0.046F, -0.20F}, // cheeks
-    {{60, -58, 46}, {17, 22, 26}, 0.040F, -0.20F}, // their sides
-    {{30, -17, 82}, {18, 6, 20}, 0.004F, 0.08F},   // below the eyes
-    {{31, 0, 82}, {18, 9, 18}, 0.018F, 0.10F},     // lids and sockets
-    {{16, -3, 78}, {6, 9, 14}, 0.024F, 0.25F},     // inner corners
+constexpr std::array<Patch, 20> patches{{
+    {{0, -31, 110}, {12, 10, 18}, 0.070F, -0.20F}, // tip of the nose
+    {{13, -38, 97}, {7, 8, 12}, 0.070F, 0.05F},    // its wings
+    {{0, -6, 98}, {8, 12, 20}, 0.004F, 0.05F},     // its bridge
+    {{0, 7, 92}, {7, 6, 20}, -0.010F, 0.15F},      // its root
+    {{43, -33, 76}, {16, 15, 30}, 0.056F, -0.22F}, // cheeks
+    {{60, -54, 46}, {17, 22, 26}, 0.040F, -0.16F}, // their sides
+    {{27, -17, 83}, {15, 6, 20}, -0.010F, 0.04F},  // below the eyes
+    {{22, -12, 84}, {9, 4, 16}, 0.026F, 0.20F},    // and their shadow
+    {{31, 2, 82}, {18, 9, 18}, 0.024F, 0.22F},     // lids and sockets
+    {{16, -3, 78}, {6, 9, 14}, 0.022F, 0.20F},     // inner corners
     {{31, -6, 84}, {16, 3, 14}, 0.025F, 0.10F},    // the lids' edges
-    {{0, -104, 88}, {16, 10, 20}, 0.030F, 0.0F},   // chin
-    {{24, -62, 90}, {12, 18, 20}, -0.012F, 0.15F}, // above the lip
-    {{24, 46, 86}, {26, 15, 40}, 0.010F, 0.0F},    // forehead
-    {{6, 22, 98}, {12, 12, 20}, 0.016F, 0.0F},     // between the brows
-    {{62, 22, 40}, {16, 22, 26}, -0.012F, 0.0F},   // temples
-    {{90, -17, -30}, {22, 40, 22}, 0.060F, 0.0F},  // ears
-    {{28, -72, 84}, {6, 6, 14}, 0.020F, 0.20F},    // corners of the mouth
+    {{0, -102, 90}, {14, 10, 20}, 0.036F, 0.0F},   // chin
+    {{22, -57, 90}, {11, 12, 20}, -0.010F, 0.10F}, // above the lip
+    {{26, 50, 86}, {22, 12, 40}, 0.006F, -0.05F},  // forehead
+    {{6, 22, 98}, {12, 10, 20}, 0.026F, 0.0F},     // between the brows
+    {{62, 22, 40}, {16, 22, 26}, -0.012F, 0.06F},  // temples
+    {{90, -17, -30}, {22, 40, 22}, 0.050F, 0.0F},  // ears
+    {{27, -70, 84}, {6, 6, 14}, 0.020F, 0.20F},    // corners of the mouth
+    {{0, -84, 94}, {14, 5, 14}, -0.006F, 0.12F},   // below the lower lip
     {{0, -190, 20}, {60, 40, 60}, 0.012F, 0.10F},  // throat and chest
 }};
 
@@ -54,7 +57,7 @@ float patch_weight(const Patch& patch, glm::vec3 p) {
 
 /// 1 within a nostril, 0 away from it.
 float nostril(glm::vec3 p) {
-    return std::exp(-square((p.x - 7.2F) / 3.8F) - square((p.y + 50.0F) / 2.8F) - square((p.z - 99) / 8));
+    return std::exp(-square((p.x - 7.2F) / 3.8F) - square((p.y + 46.2F) / 2.8F) - square((p.z - 100) / 8));
 }
 
 /// Height of the hairline over z, from the nape over the ears to the forehead.
@@ -85,9 +88,11 @@ public:
     glm::vec3 operator()(glm::vec3 place, float texel_mm) const {
         const glm::vec3 p = person_.fold(place);
         const Pigment pigment = pigment_at(p, place);
-        const float lips = on_lips(p);
+        const float lips = red_of_lips(p, place);
+        // On dark skin the lips' epidermis is no longer so thin beside its melanin.
+        const float thin = lips * (0.45F + 0.40F * light_skin());
         const glm::vec3 skin =
-            lips > 0 ? glm::mix(colours_(pigment), lip_colours_(pigment), 0.85F * lips) : colours_(pigment);
+            lips > 0 ? glm::mix(colours_(pigment), lip_colours_(pigment), thin) : colours_(pigment);
         const float parting = smooth_step(mouth_half_width + 1.5F, mouth_half_width - 4, p.x) *
                               bell(p.y - lip_line_y(p.x), 0.7F) * smooth_step(50, 60, p.z);
         const float lid_edge = lid_seam(p);
@@ -105,7 +110,7 @@ public:
 
 private:
     Pigment pigment_at(glm::vec3 p, glm::vec3 place) const {
-        float blood = blood_everywhere, relative = 0.75F;
+        float blood = blood_everywhere, relative = 0.62F;
         for (const Patch& patch : patches) {
             const float weight = patch_weight(patch, p);
             blood += weight * patch.blood;
@@ -116,19 +121,31 @@ private:
         const float age = std::max(person_.age, 0.0F);
         const float coarse = noise_.octaves(place / 19.0F, 3), fine = noise_.octaves(place / 2.4F, 2);
         blood *= 1 + 0.5F * coarse + 0.22F * fine;
-        const float share = smooth_step(0.4F, 0.03F, person_.melanin);
+        const float share = light_skin();
         relative += share * (0.18F * (1 + age) * noise_.octaves(place / 17.0F + glm::vec3(50), 2) +
                              0.08F * noise_(place / 1.1F) + 2.2F * age_spots(p, place));
         relative += 0.12F * age + 2.4F * freckles(p, place);
         blood += 0.010F * age * vessels(p, place);
 
-        const float lips = on_lips(p);
+        const float lips = red_of_lips(p, place);
         if (lips > 0) {
-            const float full = 0.14F - 0.05F * std::clamp(age, 0.0F, 1.0F);
+            const float full = 0.155F - 0.05F * std::clamp(age, 0.0F, 1.0F);
             blood = glm::mix(blood, full * (1 + 0.25F * noise_(place * glm::vec3(0.7F, 0.15F, 0.3F))), lips);
             relative = glm::mix(relative, 3 - 1.6F * share, lips);
         }
         return {person_.melanin * std::max(relative, 0.2F), std::max(blood, 0.004F)};
+    }
+
+    /// 1 on skin with little melanin, 0 on the darkest.
+    float light_skin() const { return smooth_step(0.4F, 0.03F, person_.melanin); }
+
+    /// The red of the lips, whose border wanders.
+    float red_of_lips(glm::vec3 p, glm::vec3 place) const {
+        if (p.z < 50 || p.y < -90 || p.y > -50) {
+            return 0;
+        }
+        p.y += 0.9F * noise_(place / 3.4F) + 0.5F * noise_(place * glm::vec3(0.9F, 0.3F, 0.3F));
+        return on_lips(p);
     }
 
     /// Small brown spots, many over the nose and the cheeks.
@@ -172,7 +189,7 @@ private:
             -46, -70, p.y + 0.45F * std::max(p.x - 30, 0.0F) * smooth_step(60, 20, p.z) + 0.5F * ragged);
         const float front =
             smooth_step(-5, 25, p.z) * smooth_step(-150, -122, p.y) * smooth_step(106, 100, p.z);
-        return bearded_ * jaw * front * (1 - on_lips(p)) * smooth_step(-48, -53, p.y);
+        return bearded_ * jaw * front * (1 - on_lips(p)) * smooth_step(-44, -49, p.y);
     }
 
     /// Shaven hair's ends, in fine dots.
