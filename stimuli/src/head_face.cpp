@@ -37,7 +37,7 @@ constexpr std::array<Lump, 24> lumps{{
     {{32, -66, 80}, {8, 11, 18}, 2.0F},       // muscle beside the mouth's corner
     {{25, -83, 82}, {8, 6, 16}, -1.4F},       // below the corner
     {{9, 2, 86}, {4, 12, 20}, -1.5F},         // beside the nose's root
-    {{0, -84.5F, 94}, {17, 4.6F, 18}, -4.6F}, // groove above the chin
+    {{0, -84.5F, 94}, {17, 5.0F, 18}, -3.6F}, // groove above the chin
     {{0, -101, 92}, {15, 10, 22}, 6.0F},      // chin
     {{10, -102, 88}, {9, 8, 20}, 1.2F},       // its two halves
     {{28, -101, 72}, {12, 9, 16}, -1.2F},     // beside the chin
@@ -71,7 +71,7 @@ float add_nose(float skin, glm::vec3 p) {
     // down to the lip.
     const float bridge = capsule(p, {0, 9, 86.8F}, {0, -23, 102.6F}, 5.2F, 7.0F);
     const float flank = capsule(p, {8.0F, -4, 76.5F}, {10.5F, -27, 91.0F}, 5.6F, 8.6F);
-    const float tip = capsule(p, nose_tip, nose_tip + glm::vec3(3.2F, -0.4F, -0.8F), 6.8F, 6.3F);
+    const float tip = capsule(p, nose_tip, nose_tip + glm::vec3(3.0F, -0.3F, -0.8F), 6.6F, 6.0F);
     const float septum = capsule(p, {0, -36, 106.0F}, {0, -42.5F, 96.5F}, 3.6F, 4.6F);
     float nose = join(bridge, flank, 15);
     nose = join(nose, tip, 11);
@@ -79,8 +79,8 @@ float add_nose(float skin, glm::vec3 p) {
     skin = join(skin, septum, 5);
 
     // The wings sit on the cheeks with a crease around them; the nostrils open below.
-    const float wing = capsule(p, {12.8F, -37.2F, 93.5F}, {7.6F, -35.6F, 102.5F}, 5.0F, 5.4F);
-    skin += 1.1F * bell(wing - 0.6F, 1.9F) * smooth_step(103, 95, p.z);
+    const float wing = capsule(p, {11.8F, -37.2F, 93.8F}, {7.2F, -35.8F, 102.2F}, 5.0F, 5.2F);
+    skin += 0.7F * bell(wing - 0.8F, 2.2F) * smooth_step(103, 95, p.z);
     skin = join(skin, wing, 2.8F);
     const float nostril = ellipsoid(p, {7.2F, -46.2F, 100.0F}, {3.5F, 6.0F, 6.2F});
     return carve(skin, -nostril, 2.0F);
@@ -104,6 +104,19 @@ float add_eye(float skin, glm::vec3 p) {
     return skin - inside * (0.9F * upper_lid + 0.3F * lower_rim - 0.25F * fold - 0.25F * lower_fold);
 }
 
+/// The trough from the inner corner of the eye down over the cheek, and the bag above it.
+float add_tear_trough(const Person& person, float skin, glm::vec3 p) {
+    if (p.z < 55 || p.x < 10 || p.x > 52 || p.y > 2 || p.y < -32) {
+        return skin;
+    }
+    const float t = (p.x - 15) / 26;
+    const float below = p.y - (-8 - 12 * std::pow(std::clamp(t, 0.0F, 1.2F), 0.8F));
+    const float present = smooth_step(-0.12F, 0.12F, t) * smooth_step(1.35F, 0.7F, t);
+    const float deep = 0.7F + 0.9F * std::max(person.age, 0.0F);
+    const float bag = smooth_step(0.15F, 0.5F, t) * smooth_step(1.3F, 0.8F, t);
+    return skin + deep * (0.8F * present * bell(below, 2.4F) - 0.7F * bag * bell(below - 4.6F, 3.0F));
+}
+
 float add_mouth(float skin, glm::vec3 p) {
     if (p.z < 55 || p.x > 40 || p.y > -43 || p.y < -97) {
         return skin;
@@ -119,11 +132,11 @@ float add_mouth(float skin, glm::vec3 p) {
     const float up = std::clamp((p.y - line) / std::max(top - line, 1.0F), 0.0F, 2.0F);
     const float down = std::clamp((line - p.y) / std::max(line - bottom, 1.0F), 0.0F, 2.0F);
     const float upper = smooth_step(1.7F, 0.8F, up) * (0.15F + 0.85F * smooth_step(-0.1F, 0.85F, up));
-    const float lower = smooth_step(1.5F, 0.4F, down) * (0.2F + 0.8F * smooth_step(-0.05F, 0.5F, down));
-    const float lips = p.y > line ? 4.0F * upper : 4.2F * lower;
+    const float lower = smooth_step(1.9F, 0.35F, down) * (0.2F + 0.8F * smooth_step(-0.05F, 0.5F, down));
+    const float lips = p.y > line ? 3.8F * upper : 3.8F * lower;
     skin -= full * lips;
     // A narrow roll of pale skin borders the red.
-    skin -= 0.45F * std::sqrt(full) * (bell(p.y - top - 0.9F, 1.2F) + 0.6F * bell(p.y - bottom + 0.9F, 1.3F));
+    skin -= 0.25F * std::sqrt(full) * (bell(p.y - top - 0.9F, 1.2F) + 0.6F * bell(p.y - bottom + 0.9F, 1.3F));
 
     // The corners dip in, and the line between the lips runs into them.
     const float corner = bell(glm::length(glm::vec2(p.x - mouth_half_width - 0.5F, p.y + 69.8F)), 4.0F);
@@ -140,8 +153,8 @@ float add_nasolabial_fold(const Person& person, float skin, glm::vec3 p) {
     const float outside = p.x - (19.0F + 13.5F * t - 1.5F * arch(t));
     const float present = smooth_step(-0.15F, 0.2F, t) * smooth_step(1.1F, 0.45F, t);
     return skin - (0.9F + 1.1F * std::max(person.age, 0.0F)) * present *
-                      (0.9F * smooth_step(-5, 5, outside) * smooth_step(17, 5, outside) -
-                       0.5F * bell(outside + 1, 2.6F));
+                      (1.0F * smooth_step(-3, 4, outside) * smooth_step(19, 4, outside) -
+                       0.75F * bell(outside + 1.5F, 2.6F));
 }
 
 } // namespace
@@ -158,6 +171,7 @@ float add_face(const Person& person, float skull, glm::vec3 p) {
         skin -= std::max(person.age, 0.0F) * lump_height(lump, p);
     }
     skin = add_nasolabial_fold(person, skin, p);
+    skin = add_tear_trough(person, skin, p);
     skin = add_mouth(skin, p);
     skin = add_eye(skin, p);
     return add_nose(skin, p);

@@ -25,27 +25,27 @@ struct Patch {
     float blood, melanin;
 };
 
-constexpr float blood_everywhere = 0.022F;
+constexpr float blood_everywhere = 0.028F;
 constexpr std::array<Patch, 20> patches{{
     {{0, -31, 110}, {12, 10, 18}, 0.070F, -0.20F}, // tip of the nose
     {{13, -38, 97}, {7, 8, 12}, 0.070F, 0.05F},    // its wings
     {{0, -6, 98}, {8, 12, 20}, 0.004F, 0.05F},     // its bridge
-    {{0, 7, 92}, {7, 6, 20}, -0.010F, 0.15F},      // its root
-    {{43, -33, 76}, {16, 15, 30}, 0.056F, -0.22F}, // cheeks
+    {{0, 7, 92}, {7, 6, 20}, -0.020F, 0.15F},      // its root
+    {{43, -33, 76}, {16, 15, 30}, 0.058F, -0.28F}, // cheeks
     {{60, -54, 46}, {17, 22, 26}, 0.040F, -0.16F}, // their sides
-    {{27, -17, 83}, {15, 6, 20}, -0.010F, 0.04F},  // below the eyes
+    {{27, -17, 83}, {15, 6, 20}, -0.018F, 0.04F},  // below the eyes
     {{22, -12, 84}, {9, 4, 16}, 0.026F, 0.20F},    // and their shadow
     {{31, 2, 82}, {18, 9, 18}, 0.024F, 0.22F},     // lids and sockets
     {{16, -3, 78}, {6, 9, 14}, 0.022F, 0.20F},     // inner corners
     {{31, -6, 84}, {16, 3, 14}, 0.025F, 0.10F},    // the lids' edges
     {{0, -102, 90}, {14, 10, 20}, 0.036F, 0.0F},   // chin
-    {{22, -57, 90}, {11, 12, 20}, -0.010F, 0.10F}, // above the lip
-    {{26, 50, 86}, {22, 12, 40}, 0.006F, -0.05F},  // forehead
+    {{22, -57, 90}, {11, 12, 20}, -0.020F, 0.10F}, // above the lip
+    {{26, 50, 86}, {22, 12, 40}, 0.004F, -0.05F},  // forehead
     {{6, 22, 98}, {12, 10, 20}, 0.026F, 0.0F},     // between the brows
-    {{62, 22, 40}, {16, 22, 26}, -0.012F, 0.06F},  // temples
+    {{62, 22, 40}, {16, 22, 26}, -0.020F, 0.06F},  // temples
     {{90, -17, -30}, {22, 40, 22}, 0.050F, 0.0F},  // ears
     {{27, -70, 84}, {6, 6, 14}, 0.020F, 0.20F},    // corners of the mouth
-    {{0, -84, 94}, {14, 5, 14}, -0.006F, 0.12F},   // below the lower lip
+    {{0, -84, 94}, {14, 5, 14}, -0.010F, 0.12F},   // below the lower lip
     {{0, -190, 20}, {60, 40, 60}, 0.012F, 0.10F},  // throat and chest
 }};
 
@@ -110,7 +110,7 @@ public:
 
 private:
     Pigment pigment_at(glm::vec3 p, glm::vec3 place) const {
-        float blood = blood_everywhere, relative = 0.62F;
+        float blood = blood_everywhere, relative = 0.58F;
         for (const Patch& patch : patches) {
             const float weight = patch_weight(patch, p);
             blood += weight * patch.blood;
@@ -120,7 +120,7 @@ private:
         // dark skin by a smaller share.
         const float age = std::max(person_.age, 0.0F);
         const float coarse = noise_.octaves(place / 19.0F, 3), fine = noise_.octaves(place / 2.4F, 2);
-        blood *= 1 + 0.5F * coarse + 0.22F * fine;
+        blood *= 1 + 0.55F * coarse + 0.25F * fine;
         const float share = light_skin();
         relative += share * (0.18F * (1 + age) * noise_.octaves(place / 17.0F + glm::vec3(50), 2) +
                              0.08F * noise_(place / 1.1F) + 2.2F * age_spots(p, place));
@@ -199,7 +199,7 @@ private:
             return 0;
         }
         const float dots = smooth_step(0.28F, 0.55F, spots_(place / 0.7F));
-        return all * (0.06F + 0.5F * dots);
+        return all * (0.09F + 0.34F * dots);
     }
 
     float lid_seam(glm::vec3 p) const {
@@ -251,7 +251,7 @@ ImagePtr reflection_map(const Person& person, const Atlas& atlas) {
         const float uneven = 0.05F * noise.octaves(place / 4.0F, 2) + 0.03F * noise(place / 0.7F);
         const float dry = 0.03F * std::clamp(person.age - 0.5F, -0.5F, 1.0F);
         const float roughness =
-            0.41F + dry - 0.12F * nose - 0.09F * forehead - 0.07F * cheek - 0.08F * on_lips(p) + uneven;
+            0.41F + dry - 0.12F * nose - 0.05F * forehead - 0.07F * cheek - 0.08F * on_lips(p) + uneven;
         const float hair = hairs.cover(p, place.x < 0 ? -1.0F : 1.0F, atlas.texel_mm(x, y));
         const float kept = std::clamp(glm::mix(roughness, 0.6F, hair), 0.25F, 0.6F);
         const float coated = std::max({0.85F * nose, 0.7F * forehead, 0.4F * cheek, on_lips(p)});
