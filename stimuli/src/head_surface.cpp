@@ -75,8 +75,8 @@ RayRow ray_row_at(float v) {
 /// How many columns a degree around the head deserves: many on the face, more at the ears, few behind.
 float column_density(float azimuth_deg) {
     const float side = std::abs(azimuth_deg);
-    return 0.15F + 1.07F * std::exp(-std::pow(side / 64, 4.0F)) + 0.45F * bell(side, 14) +
-           0.75F * bell(side - 62, 18) + 1.2F * bell(side - 96, 14);
+    return 0.20F + 1.07F * std::exp(-std::pow(side / 64, 4.0F)) + 0.45F * bell(side, 14) +
+           0.62F * bell(side - 62, 18) + 1.2F * bell(side - 96, 14);
 }
 
 /// Azimuths of the columns in radians, from -pi to pi, 0 in front.
