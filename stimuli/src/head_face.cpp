@@ -79,11 +79,11 @@ float add_nose(float skin, glm::vec3 p) {
     skin = join(skin, septum, 5);
 
     // The wings sit on the cheeks with a crease around them; the nostrils open below.
-    const float wing = capsule(p, {11.8F, -37.2F, 93.8F}, {7.2F, -35.8F, 102.2F}, 5.0F, 5.2F);
-    skin += 0.7F * bell(wing - 0.8F, 2.2F) * smooth_step(103, 95, p.z);
+    const float wing = capsule(p, {11.0F, -37.4F, 94.2F}, {6.8F, -35.8F, 102.2F}, 5.0F, 5.2F);
+    skin += 0.7F * bell(wing - 0.8F, 2.2F) * smooth_step(103, 95, p.z) * smooth_step(-30, -38, p.y);
     skin = join(skin, wing, 2.8F);
-    const float nostril = ellipsoid(p, {7.2F, -46.2F, 100.0F}, {3.5F, 6.0F, 6.2F});
-    return carve(skin, -nostril, 2.0F);
+    const float nostril = ellipsoid(p, {6.9F, -46.2F, 100.6F}, {3.3F, 4.8F, 5.4F});
+    return carve(skin, -nostril, 3.2F);
 }
 
 float add_eye(float skin, glm::vec3 p) {
@@ -101,7 +101,7 @@ float add_eye(float skin, glm::vec3 p) {
     const float lower_rim = bell(above + 2.2F, 1.6F);
     const float fold = bell(p.y - lid_fold_y(p.x), 1.7F);
     const float lower_fold = bell(above + 9 - 3 * square(s - 0.5F), 1.8F);
-    return skin - inside * (0.9F * upper_lid + 0.3F * lower_rim - 0.25F * fold - 0.25F * lower_fold);
+    return skin - inside * (0.9F * upper_lid + 0.3F * lower_rim - 0.55F * fold - 0.30F * lower_fold);
 }
 
 /// The trough from the inner corner of the eye down over the cheek, and the bag above it.

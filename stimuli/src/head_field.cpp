@@ -70,7 +70,7 @@ float skull(glm::vec3 p) {
 
     // The jaw's edge rises from the chin to the angle below the ear.
     constexpr float jaw_slope = 0.40F;
-    const float below = (chin_y - 3.2F - p.y + (80 - p.z) * jaw_slope) / std::sqrt(1 + jaw_slope * jaw_slope);
+    const float below = (chin_y - 3.5F - p.y + (80 - p.z) * jaw_slope) / std::sqrt(1 + jaw_slope * jaw_slope);
     return carve(body, below, 26);
 }
 

@@ -36,9 +36,9 @@ constexpr std::array<RayRow, 14> ray_rows{{
     {0.160F, 30, -8, 4, 4},
     {0.330F, 3, -6, 0, 0},
     {0.480F, -11, -5, -18, -8},
-    {0.600F, -25, -5, -23, -12},
-    {0.750F, -58, -6, -26, -8},
-    {0.845F, -84, -12, -36, -8},
+    {0.595F, -26, -5, -23, -14},
+    {0.735F, -58, -6, -26, -14},
+    {0.835F, -84, -12, -36, -11},
     {0.895F, -118, -24, -20, -6},
     {0.925F, -158, -34, -6, -3},
     {0.965F, -222, -46, 4, 4},
@@ -165,7 +165,7 @@ glm::vec3 between(const Surface& surface, glm::vec2 ray) {
 /// How hard the cells around a place pull together: harder on the nose, which would get too few of them.
 float tightness(glm::vec3 place_mm) {
     const glm::vec3 rel = place_mm - glm::vec3(0, -34, 108);
-    return 1 + 1.5F * std::exp(-glm::dot(rel, rel) / square(22));
+    return 1 + 1.1F * std::exp(-glm::dot(rel, rel) / square(22));
 }
 
 /// Slide the face's rays along the skin towards the middle of their neighbours, so that cells become squares
