@@ -90,7 +90,7 @@ float relief_mm(const Person& person, const Noise& noise, const Hairs& hairs, gl
                                   bell(noise(place * drawn_out / size_mm + glm::vec3(40 * size_mm)), 0.13F)
                             : 0;
     }
-    const float hair = 0.07F * hairs.cover(p, place.x < 0 ? -1.0F : 1.0F, texel_mm);
+    const float hair = 0.07F * hairs.cover(p, place.x < 0 ? -1.0F : 1.0F, texel_mm).share;
     return face * uneven - lines_mm(person, noise, p, place) + hair;
 }
 

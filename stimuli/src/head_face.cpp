@@ -37,7 +37,7 @@ constexpr std::array<Lump, 24> lumps{{
     {{32, -66, 80}, {8, 11, 18}, 2.0F},       // muscle beside the mouth's corner
     {{25, -83, 82}, {8, 6, 16}, -1.4F},       // below the corner
     {{9, 2, 86}, {4, 12, 20}, -1.5F},         // beside the nose's root
-    {{0, -84.5F, 94}, {17, 5.0F, 18}, -3.6F}, // groove above the chin
+    {{0, -84.5F, 94}, {17, 5.0F, 18}, -3.1F}, // groove above the chin
     {{0, -101, 92}, {15, 10, 22}, 6.0F},      // chin
     {{10, -102, 88}, {9, 8, 20}, 1.2F},       // its two halves
     {{28, -101, 72}, {12, 9, 16}, -1.2F},     // beside the chin
@@ -133,7 +133,7 @@ float add_mouth(float skin, glm::vec3 p) {
     const float down = std::clamp((line - p.y) / std::max(line - bottom, 1.0F), 0.0F, 2.0F);
     const float upper = smooth_step(1.7F, 0.8F, up) * (0.15F + 0.85F * smooth_step(-0.1F, 0.85F, up));
     const float lower = smooth_step(1.9F, 0.35F, down) * (0.2F + 0.8F * smooth_step(-0.05F, 0.5F, down));
-    const float lips = p.y > line ? 3.8F * upper : 3.8F * lower;
+    const float lips = p.y > line ? 4.6F * upper : 3.5F * lower;
     skin -= full * lips;
     // A narrow roll of pale skin borders the red.
     skin -= 0.25F * std::sqrt(full) * (bell(p.y - top - 0.9F, 1.2F) + 0.6F * bell(p.y - bottom + 0.9F, 1.3F));

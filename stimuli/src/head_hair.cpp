@@ -89,7 +89,9 @@ void Hairs::add_brow(const Person& person, float side) {
                             0.25F * s + 0.7F * (any() - 0.5F);
         const float length =
             glm::mix(4.0F, 6.5F, arch(std::min(s * 0.8F + 0.1F, 1.0F))) * (0.5F + 0.6F * any());
-        add({bent(root, angle, angle - 0.5F * (1 - s) - 0.15F, length), 0.028F + 0.040F * any()}, side);
+        add({bent(root, angle, angle - 0.5F * (1 - s) - 0.15F, length), 0.028F + 0.040F * any(),
+             any() < 0.85F * person.grey},
+            side);
     }
 }
 
@@ -102,19 +104,20 @@ void Hairs::add_lashes(const Person& person, float side) {
         const float x = eye_inner_x + s * (eye_outer_x - eye_inner_x);
         const float length = (1.6F + 3.6F * smooth_step(0.0F, 0.7F, s)) * (0.7F + 0.4F * any());
         const float down = -1.57F + 1.0F * (s - 0.3F) + 0.35F * (any() - 0.5F);
-        add({bent({x, lid_line_y(x) + 0.1F}, down, down + 0.5F * (s - 0.1F), length), 0.045F + 0.03F * any()},
+        add({bent({x, lid_line_y(x) + 0.1F}, down, down + 0.5F * (s - 0.1F), length), 0.045F + 0.03F * any(),
+             false},
             side);
     }
 }
 
-float Hairs::cover(glm::vec3 folded, float side, float spot_mm) const {
+Hairs::Cover Hairs::cover(glm::vec3 folded, float side, float spot_mm) const {
     const glm::vec2 p(folded.x, folded.y);
     const int x = static_cast<int>((p.x - low_x) / bin_mm),
               y = static_cast<int>(std::floor((p.y - low_y) / bin_mm));
     if (folded.z < 28 || x < 0 || x >= bins_x || y < 0 || y >= bins_y) {
-        return 0;
+        return {0, 0};
     }
-    float clear = 1;
+    float clear = 1, grey = 0;
     for (const int number : bins_[static_cast<std::size_t>(bin_of(x, y, side))]) {
         const Hair& hair = hairs_[static_cast<std::size_t>(number)];
         float along = 0;
@@ -122,9 +125,11 @@ float Hairs::cover(glm::vec3 folded, float side, float spot_mm) const {
         // A hair finer than the spot covers a part of it.
         const float radius = hair.radius_mm * (1 - 0.75F * along * along),
                     seen = std::max(radius, 0.4F * spot_mm);
-        clear *= 1 - std::min(radius / seen, 1.0F) * smooth_step(1.6F * seen, 0.5F * seen, distance);
+        const float share = std::min(radius / seen, 1.0F) * smooth_step(1.6F * seen, 0.5F * seen, distance);
+        grey = glm::mix(grey, hair.grey ? 1.0F : 0.0F, share);
+        clear *= 1 - share;
     }
-    return 1 - clear;
+    return {1 - clear, grey};
 }
 
 } // namespace stimuli::head

@@ -17,14 +17,18 @@ class Hairs {
 public:
     explicit Hairs(const Person& person);
 
-    /// How much of a spot is covered by hair, 0 to 1. `folded` is the place on the half head, `side` the sign
-    /// of the place's x, `spot_mm` how wide the spot is.
-    float cover(glm::vec3 folded, float side, float spot_mm) const;
+    struct Cover {
+        float share, grey; ///< of the spot, 0 to 1: covered by hair, and by hair that has lost its colour
+    };
+    /// How much of a spot is covered by hair. `folded` is the place on the half head, `side` the sign of the
+    /// place's x, `spot_mm` how wide the spot is.
+    Cover cover(glm::vec3 folded, float side, float spot_mm) const;
 
 private:
     struct Hair {
         std::array<glm::vec2, 4> line; ///< from root to tip, mm
         float radius_mm;
+        bool grey;
     };
     void add(const Hair& hair, float side);
     void add_brow(const Person& person, float side);

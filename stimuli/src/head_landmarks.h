@@ -60,7 +60,7 @@ inline float brow_y(float x) {
 /// edge.
 inline float lip_top_y(float x) {
     const float s = std::min(x / mouth_half_width, 1.0F);
-    return -62.2F - 5.6F * std::pow(s, 1.3F) + 1.4F * bell(x - 5.5F, 4.0F);
+    return -62.2F - 6.9F * std::pow(s, 1.4F) + 1.4F * bell(x - 5.5F, 4.0F);
 }
 inline float lip_line_y(float x) {
     const float s = std::min(x / mouth_half_width, 1.0F);

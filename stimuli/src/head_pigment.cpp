@@ -32,7 +32,7 @@ constexpr Spectrum deoxygenated{223296, 303956, 407560, 528600, 413280, 103292, 
                                 53788,  45072,  37020,  28324,  14677,  9444,   6510,  5149,
                                 4345,   3750,   3227,   2795,   2408,   2052,   1794};
 
-constexpr double oxygen_share = 0.85;    // of the blood
+constexpr double oxygen_share = 0.90;    // of the blood, which is nearly arterial in the warm face
 constexpr double eumelanin_share = 0.85; // of the melanin; the rest is pheomelanin
 constexpr double blood_per_extinction =
     2.303 * 150 / 64500 / 10; // whole blood: 150 g/l of 64,500 g/mol, per mm

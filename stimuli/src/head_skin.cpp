@@ -5,6 +5,8 @@
 
 #include <array>
 
+#include <support/random.h>
+
 #include "head_hair.h"
 #include "head_landmarks.h"
 #include "head_noise.h"
@@ -16,7 +18,7 @@ namespace {
 using renderer::scene::ImagePtr;
 
 /// Colour of single hairs, and their grey (linear Rec. 709).
-constexpr glm::vec3 brown_hair{0.012F, 0.007F, 0.005F}, grey_hair{0.30F, 0.25F, 0.20F};
+constexpr glm::vec3 brown_hair{0.012F, 0.007F, 0.005F}, grey_hair{0.34F, 0.285F, 0.225F};
 
 /// A patch with more blood than its surroundings (share of the dermis), and more melanin (relative to the
 /// person's own).
@@ -25,14 +27,14 @@ struct Patch {
     float blood, melanin;
 };
 
-constexpr float blood_everywhere = 0.028F;
+constexpr float blood_everywhere = 0.025F;
 constexpr std::array<Patch, 20> patches{{
     {{0, -31, 110}, {12, 10, 18}, 0.070F, -0.20F}, // tip of the nose
     {{13, -38, 97}, {7, 8, 12}, 0.070F, 0.05F},    // its wings
     {{0, -6, 98}, {8, 12, 20}, 0.004F, 0.05F},     // its bridge
     {{0, 7, 92}, {7, 6, 20}, -0.020F, 0.15F},      // its root
-    {{43, -33, 76}, {16, 15, 30}, 0.058F, -0.28F}, // cheeks
-    {{60, -54, 46}, {17, 22, 26}, 0.040F, -0.16F}, // their sides
+    {{43, -33, 76}, {16, 15, 30}, 0.050F, -0.30F}, // cheeks
+    {{60, -54, 46}, {17, 22, 26}, 0.034F, -0.20F}, // their sides
     {{27, -17, 83}, {15, 6, 20}, -0.018F, 0.04F},  // below the eyes
     {{22, -12, 84}, {9, 4, 16}, 0.026F, 0.20F},    // and their shadow
     {{31, 2, 82}, {18, 9, 18}, 0.024F, 0.22F},     // lids and sockets
@@ -81,6 +83,14 @@ public:
           freckled_(person.seed == 0 ? 0.5F : smooth_step(-0.3F, 0.5F, noise_({0.5F, 0.5F, 0.37F}))),
           bearded_(person.seed == 0 ? 0.9F : smooth_step(-0.3F, 0.3F, noise_({7.5F, 0.31F, 0.5F}))) {
         freckled_ *= smooth_step(0.10F, 0.015F, person.melanin);
+        support::Generator generator("head moles", person.seed);
+        const auto between = [&](float low, float high) {
+            return glm::mix(low, high, static_cast<float>(generator.uniform()));
+        };
+        for (glm::vec3& mole : moles_) {
+            const float x = between(-62, 62), y = between(-98, 70);
+            mole = {x, y, between(0.4F, 1.05F)};
+        }
     }
 
     /// Linear colour of the skin with its hairs; dark in the nostrils and between the lips, where little
@@ -90,7 +100,7 @@ public:
         const Pigment pigment = pigment_at(p, place);
         const float lips = red_of_lips(p, place);
         // On dark skin the lips' epidermis is no longer so thin beside its melanin.
-        const float thin = lips * (0.45F + 0.40F * light_skin());
+        const float thin = lips * (0.45F + 0.50F * light_skin());
         const glm::vec3 skin =
             lips > 0 ? glm::mix(colours_(pigment), lip_colours_(pigment), thin) : colours_(pigment);
         const float parting = smooth_step(mouth_half_width + 1.5F, mouth_half_width - 4, p.x) *
@@ -102,15 +112,17 @@ public:
         const glm::vec3 below =
             glm::mix(glm::vec3(1), glm::vec3(0.75F, 0.82F, 0.88F),
                      std::max(beard(p, place), 0.85F * scalp(p, place)) * (1 - 0.5F * person_.grey));
-        const glm::vec3 hair_colour = glm::mix(brown_hair, grey_hair, 0.5F * person_.grey);
-        const float hair =
-            std::max(0.97F * hairs_.cover(p, place.x < 0 ? -1.0F : 1.0F, texel_mm), stubble(p, place));
-        return glm::mix(skin * below * shade, hair_colour, hair);
+        const glm::vec3 shaven = glm::mix(
+            skin * below * shade, glm::mix(brown_hair, grey_hair, 0.5F * person_.grey), stubble(p, place));
+        const auto [share, grey] = hairs_.cover(p, place.x < 0 ? -1.0F : 1.0F, texel_mm);
+        const glm::vec3 hair = share > 0 ? glm::mix(brown_hair, grey_hair, grey / share) : brown_hair;
+        return glm::mix(shaven, hair, 0.97F * share);
     }
 
 private:
     Pigment pigment_at(glm::vec3 p, glm::vec3 place) const {
-        float blood = blood_everywhere, relative = 0.58F;
+        // The face of light skin holds less melanin than the rest.
+        float blood = blood_everywhere, relative = glm::mix(0.85F, 0.65F, light_skin());
         for (const Patch& patch : patches) {
             const float weight = patch_weight(patch, p);
             blood += weight * patch.blood;
@@ -120,11 +132,11 @@ private:
         // dark skin by a smaller share.
         const float age = std::max(person_.age, 0.0F);
         const float coarse = noise_.octaves(place / 19.0F, 3), fine = noise_.octaves(place / 2.4F, 2);
-        blood *= 1 + 0.55F * coarse + 0.25F * fine;
+        blood *= std::max(1 + 0.7F * coarse + 0.28F * fine, 0.2F);
         const float share = light_skin();
-        relative += share * (0.18F * (1 + age) * noise_.octaves(place / 17.0F + glm::vec3(50), 2) +
+        relative += share * (0.24F * (1 + age) * noise_.octaves(place / 17.0F + glm::vec3(50), 2) +
                              0.08F * noise_(place / 1.1F) + 2.2F * age_spots(p, place));
-        relative += 0.12F * age + 2.4F * freckles(p, place);
+        relative += 0.12F * age + 2.4F * freckles(p, place) + 5 * share * moles(place);
         blood += 0.010F * age * vessels(p, place);
 
         const float lips = red_of_lips(p, place);
@@ -157,6 +169,16 @@ private:
         }
         return where *
                smooth_step(0.42F, 0.75F, spots_(place / 1.6F + glm::vec3(31)) + 0.5F * spots_(place / 9.0F));
+    }
+
+    /// A few single moles, anywhere on the front of the head.
+    float moles(glm::vec3 place) const {
+        float most = 0;
+        for (const glm::vec3& mole : moles_) {
+            const float distance = glm::length(glm::vec2(place) - glm::vec2(mole));
+            most = std::max(most, smooth_step(1.15F * mole.z, 0.55F * mole.z, distance));
+        }
+        return place.z > 20 ? most : 0;
     }
 
     /// Broad flat spots that come with age, on temples, cheeks and scalp.
@@ -194,12 +216,12 @@ private:
 
     /// Shaven hair's ends, in fine dots.
     float stubble(glm::vec3 p, glm::vec3 place) const {
-        const float all = std::max(scalp(p, place), beard(p, place)) * (1 - 0.5F * person_.grey);
+        const float beards = beard(p, place), all = std::max(scalp(p, place), beards);
         if (all <= 0) {
             return 0;
         }
         const float dots = smooth_step(0.28F, 0.55F, spots_(place / 0.7F));
-        return all * (0.09F + 0.34F * dots);
+        return all * (1 - 0.5F * person_.grey) * (0.09F + glm::mix(0.28F, 0.50F, beards) * dots);
     }
 
     float lid_seam(glm::vec3 p) const {
@@ -216,6 +238,7 @@ private:
     Hairs hairs_;
     SkinColours colours_, lip_colours_{lip_epidermis_mm};
     float freckled_, bearded_;
+    std::array<glm::vec3, 8> moles_{}; ///< x, y and radius, mm
 };
 
 std::uint8_t srgb_byte(float linear) {
@@ -249,10 +272,11 @@ ImagePtr reflection_map(const Person& person, const Atlas& atlas) {
         const float cheek =
             std::exp(-square((p.x - 42) / 16) - square((p.y + 26) / 13)) * smooth_step(40, 70, p.z);
         const float uneven = 0.05F * noise.octaves(place / 4.0F, 2) + 0.03F * noise(place / 0.7F);
+        const float scalp = 0.07F * smooth_step(60, 85, p.y);
         const float dry = 0.03F * std::clamp(person.age - 0.5F, -0.5F, 1.0F);
-        const float roughness =
-            0.41F + dry - 0.12F * nose - 0.05F * forehead - 0.07F * cheek - 0.08F * on_lips(p) + uneven;
-        const float hair = hairs.cover(p, place.x < 0 ? -1.0F : 1.0F, atlas.texel_mm(x, y));
+        const float roughness = 0.41F + dry + scalp - 0.12F * nose - 0.05F * forehead - 0.07F * cheek -
+                                0.08F * on_lips(p) + uneven;
+        const float hair = hairs.cover(p, place.x < 0 ? -1.0F : 1.0F, atlas.texel_mm(x, y)).share;
         const float kept = std::clamp(glm::mix(roughness, 0.6F, hair), 0.25F, 0.6F);
         const float coated = std::max({0.85F * nose, 0.7F * forehead, 0.4F * cheek, on_lips(p)});
         const float strength = (0.68F - 2 * dry + 0.32F * coated + 0.1F * film.octaves(place / 9.0F, 3)) *
