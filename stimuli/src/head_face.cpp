@@ -72,14 +72,14 @@ float add_nose(float skin, glm::vec3 p) {
     const float bridge = capsule(p, {0, 9, 86.8F}, {0, -23, 102.6F}, 5.2F, 7.0F);
     const float flank = capsule(p, {8.0F, -4, 76.5F}, {10.5F, -27, 91.0F}, 5.6F, 8.6F);
     const float tip = capsule(p, nose_tip, nose_tip + glm::vec3(3.0F, -0.3F, -0.8F), 6.6F, 6.0F);
-    const float septum = capsule(p, {0, -36, 106.0F}, {0, -42.5F, 96.5F}, 3.6F, 4.6F);
+    const float septum = capsule(p, {0, -37.4F, 106.0F}, {0, -43.4F, 96.5F}, 3.6F, 4.6F);
     float nose = join(bridge, flank, 15);
     nose = join(nose, tip, 11);
     skin = join(skin, nose, 9);
     skin = join(skin, septum, 5);
 
     // The wings sit on the cheeks with a crease around them; the nostrils open below.
-    const float wing = capsule(p, {11.0F, -37.4F, 94.2F}, {6.8F, -35.8F, 102.2F}, 5.0F, 5.2F);
+    const float wing = capsule(p, {11.0F, -37.0F, 94.2F}, {6.8F, -35.4F, 102.0F}, 4.9F, 5.2F);
     skin += 0.7F * bell(wing - 0.8F, 2.2F) * smooth_step(103, 95, p.z) * smooth_step(-30, -38, p.y);
     skin = join(skin, wing, 2.8F);
     const float nostril = ellipsoid(p, {6.9F, -46.2F, 100.6F}, {3.3F, 4.8F, 5.4F});

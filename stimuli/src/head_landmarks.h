@@ -16,7 +16,7 @@ constexpr float vertex_y = 116, chin_y = -116; ///< 232 mm apart, the eyes half 
 constexpr glm::vec3 eye_centre{30.4F, -1.4F, 69.0F};
 constexpr float eye_radius = 12.4F;
 constexpr float eye_inner_x = 16.5F, eye_outer_x = 46.0F;
-constexpr glm::vec3 nose_tip{0, -30.8F, 107.0F};
+constexpr glm::vec3 nose_tip{0, -32.2F, 106.8F};
 constexpr float mouth_half_width = 23.8F;
 constexpr float ear_tilt = 0.20F; ///< the ear's long axis leans back, radians
 constexpr glm::vec3 ear_root{71, -17, -13};

@@ -88,7 +88,7 @@ public:
             return glm::mix(low, high, static_cast<float>(generator.uniform()));
         };
         for (glm::vec3& mole : moles_) {
-            const float x = between(-62, 62), y = between(-98, 70);
+            const float x = between(-52, 52), y = between(-98, 70);
             mole = {x, y, between(0.4F, 1.05F)};
         }
     }
