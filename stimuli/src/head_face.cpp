@@ -76,13 +76,13 @@ float add_nose(float skin, glm::vec3 p) {
     float nose = join(bridge, flank, 15);
     nose = join(nose, tip, 11);
     skin = join(skin, nose, 9);
-    skin = join(skin, septum, 5);
+    skin = join(skin, septum, 8);
 
     // The wings sit on the cheeks with a crease around them; the nostrils open below.
     const float wing = capsule(p, {11.0F, -37.0F, 94.2F}, {6.8F, -35.4F, 102.0F}, 4.9F, 5.2F);
     skin += 0.7F * bell(wing - 0.8F, 2.2F) * smooth_step(103, 95, p.z) * smooth_step(-30, -38, p.y);
     skin = join(skin, wing, 2.8F);
-    const float nostril = ellipsoid(p, {6.9F, -46.2F, 100.6F}, {3.3F, 4.8F, 5.4F});
+    const float nostril = ellipsoid(p, {6.9F, -46.0F, 101.3F}, {3.3F, 4.6F, 5.0F});
     return carve(skin, -nostril, 3.2F);
 }
 
