@@ -219,7 +219,7 @@ void spread_evenly(std::vector<glm::vec2>& rays, const Surface& surface, const s
 /// Move the ears' places towards the middle of their neighbours, a few times, so that the rims lose the steps
 /// that the grid's columns cut into them.
 void smooth_ears(Surface& surface, const std::vector<bool>& on_ear) {
-    constexpr int passes = 7;
+    constexpr int passes = 5;
     for (int pass = 0; pass < passes; ++pass) {
         const Surface before = surface;
         for (int j = 1; j < surface.rows; ++j) {
