@@ -117,6 +117,31 @@ TEST_F(ResumeTest, goesOnInItsFrameTable) {
     EXPECT_EQ(fixture::read(frames).substr(0, table.size()), table);
 }
 
+TEST_F(ResumeTest, refusesTheFrameTableOfAnotherRun) {
+    cut_off_after(4);
+    const fs::path frames = folder_ / "frames.tsv";
+    EXPECT_EQ(run({"--frames", frames.string()}).exit_code, 0);
+    std::string table = fixture::read(frames);
+    const std::string own = "\tsub-01_run-01\n";
+    ASSERT_TRUE(table.ends_with(own));
+    table.replace(table.size() - own.size(), own.size(), "\tsub-02_run-01\n");
+    fixture::write(frames, table);
+    fs::remove_all(study());
+    cut_off_after(4);
+    const auto outcome = run({"--frames", frames.string()});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("or the table of the run, found a file"), std::string::npos) << outcome.err;
+    EXPECT_EQ(fixture::read(frames), table);
+}
+
+TEST_F(ResumeTest, notesRunsUnderAnotherVersionOfTheProtocol) {
+    ASSERT_EQ(run().exit_code, 0);
+    EXPECT_EQ(run({"--dry-run"}).out.find("another version"), std::string::npos);
+    fixture::append(protocol_.file, "\n# changed\n");
+    EXPECT_NE(run({"--dry-run"}).out.find("runs of this study under another version of the protocol: 1"),
+              std::string::npos);
+}
+
 TEST_F(ResumeTest, runsWhereTheContactSheetCannotBeKept) {
     fixture::write(folder_ / "stimuli/contact_sheet.png", "picture");
     fs::create_directory(study());

@@ -119,6 +119,27 @@ TEST_F(ResumeTest, refusesOtherConditionsThanTheRunBeganWith) {
     expect_refused(run(), "ProtocolDigest: expected the protocol that the run began with");
 }
 
+TEST_F(ResumeTest, goesOnWithARealRunThatKnowsOfNoObservers) {
+    // As a run of people has it whose sidecar was written before it named observers.
+    cut_off_after(4);
+    nlohmann::ordered_json content = nlohmann::ordered_json::parse(fixture::read(sidecar()));
+    content.erase("ObserverDigest");
+    content["Simulated"] = false;
+    fixture::write(sidecar(), content.dump());
+    nlohmann::ordered_json study_is =
+        nlohmann::ordered_json::parse(fixture::read(study() / "dataset_description.json"));
+    study_is["Simulated"] = false;
+    fixture::write(study() / "dataset_description.json", study_is.dump());
+    auto words = arguments(study(), {"--dry-run"});
+    const auto simulate = std::find(words.begin(), words.end(), "--simulate");
+    words.erase(simulate, simulate + 2);
+    const auto outcome = fixture::run_program(words);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("goes on at trial 5 of 12"), std::string::npos) << outcome.out;
+    // A simulated one is another observer.
+    EXPECT_EQ(run({"--dry-run"}).exit_code, 2);
+}
+
 TEST_F(ResumeTest, saysThatTheClockWasSetBack) {
     cut_off_after(4);
     // What the sidecar holds after the system's clock was set back: a beginning that is still to come.
@@ -183,7 +204,7 @@ class SmallDisk {
 public:
     explicit SmallDisk(const fs::path& folder) : folder_(folder) {
         fs::create_directories(folder);
-        mounted_ = ::mount("tmpfs", folder.c_str(), "tmpfs", 0, "size=28k") == 0;
+        mounted_ = ::mount("tmpfs", folder.c_str(), "tmpfs", 0, "size=36k") == 0;
     }
     ~SmallDisk() {
         if (mounted_) {
@@ -206,7 +227,7 @@ TEST_F(ResumeTest, saysThatTheDiskIsFullAndGoesOnWhenItIsNot) {
     }
     // Fill the disk so far that the session's beginning finds room and its end does not.
     fixture::Outcome outcome;
-    for (int kilobytes = 24; kilobytes >= 0; kilobytes -= 4) {
+    for (int kilobytes = 32; kilobytes >= 0; kilobytes -= 4) {
         for (const auto& entry : fs::directory_iterator(study())) {
             fs::remove_all(entry.path());
         }
