@@ -119,6 +119,16 @@ TEST(StudyFolderTest, tellsWhoWaitsLongAndGivesUp) {
     ::close(held);
 }
 
+TEST(FolderLockTest, isSharedByManyOrHeldByOne) {
+    const fixture::TemporaryFolder folder;
+    {
+        const auto one = experiment::FolderLock::share(folder.path());
+        const auto other = experiment::FolderLock::share(folder.path());
+        EXPECT_FALSE(experiment::FolderLock::attempt(folder.path()));
+    }
+    EXPECT_TRUE(experiment::FolderLock::attempt(folder.path()));
+}
+
 TEST(StudyFolderTest, tellsReadersWhatItHoldsWhereNoOneHas) {
     const fixture::TemporaryFolder folder;
     StudyFolder(folder / "real", false, "paper").prepare("Faces of 2009", "01");
