@@ -71,7 +71,7 @@ with the protocol {}, as a data set in the Brain Imaging Data Structure (BIDS {}
   in `.json` describes the columns, and says how the session ran: instructions, seed, screen, timing, whether it is complete.
 - `sub-<label>/beh/*_events.tsv`: the same trials picture by picture, each with its file below `stimuli/`.
 - `phenotype/questionnaire.tsv`: answers to the questions before the first session, where there were any.
-- `stimuli/`: the pictures that were shown.
+- `stimuli/`: the pictures that were shown, a folder a set, and where there was one a contact sheet.
 
 A missing value is `n/a`. Of a participant's runs the last complete one counts, or, where none is complete, the last.
 
