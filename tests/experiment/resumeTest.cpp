@@ -204,7 +204,7 @@ class SmallDisk {
 public:
     explicit SmallDisk(const fs::path& folder) : folder_(folder) {
         fs::create_directories(folder);
-        mounted_ = ::mount("tmpfs", folder.c_str(), "tmpfs", 0, "size=36k") == 0;
+        mounted_ = ::mount("tmpfs", folder.c_str(), "tmpfs", 0, "size=28k") == 0;
     }
     ~SmallDisk() {
         if (mounted_) {
@@ -227,7 +227,7 @@ TEST_F(ResumeTest, saysThatTheDiskIsFullAndGoesOnWhenItIsNot) {
     }
     // Fill the disk so far that the session's beginning finds room and its end does not.
     fixture::Outcome outcome;
-    for (int kilobytes = 32; kilobytes >= 0; kilobytes -= 4) {
+    for (int kilobytes = 24; kilobytes >= 0; kilobytes -= 4) {
         for (const auto& entry : fs::directory_iterator(study())) {
             fs::remove_all(entry.path());
         }
