@@ -143,6 +143,7 @@ TEST_F(FaultTest, saysThatItWaitsForAnotherProgram) {
     EXPECT_TRUE(study_files().empty());
     ::close(held);
     leave_instructions();
+    ASSERT_FALSE(HasFailure());
     run_trial(0, "1");
     EXPECT_EQ(end_and_read_events().find("another program"), std::string::npos); // nothing failed
     EXPECT_EQ(fixture::read_log(log()).size(), 1U);

@@ -125,7 +125,8 @@ protected:
     void leave_instructions() const {
         ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
         // The start page may not be there yet: only what it asks for ends it.
-        while (!std::filesystem::exists(sidecar())) {
+        for (int presses = 0; !std::filesystem::exists(sidecar()); ++presses) {
+            ASSERT_LT(presses, 200);
             VirtualScreen::key("Return");
             wait_ms(100);
         }
