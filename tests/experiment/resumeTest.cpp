@@ -46,6 +46,18 @@ TEST_F(ResumeTest, setsATornLineAside) {
     EXPECT_EQ(fixture::read(log()).find("no_s\n"), std::string::npos);
 }
 
+TEST_F(ResumeTest, takesOffATornLineAfterTheLastAnswer) {
+    cut_off_after(12, "13\tts\tno_s");
+    nlohmann::ordered_json content = nlohmann::ordered_json::parse(fixture::read(sidecar()));
+    content["Complete"] = false;
+    fixture::write(sidecar(), content.dump());
+    EXPECT_EQ(run().exit_code, 0);
+    EXPECT_EQ(fixture::lines_of(log()).size(), 13U);
+    EXPECT_TRUE(fixture::read(log()).ends_with("\n"));
+    EXPECT_EQ(facts()["Complete"], true);
+    EXPECT_FALSE(fs::exists(log(2)));
+}
+
 TEST_F(ResumeTest, keepsTheClockRising) {
     cut_off_after(5);
     run();

@@ -58,7 +58,6 @@ void check_forms(const study::Protocol& protocol, const std::array<int, 2>& size
     }
     check(trouble_form(session.texts, ""), "texts.trouble");
     check(close_form(session.texts), "texts.close");
-    check(screen_form(session.texts, ""), "texts.screen");
 }
 
 } // namespace
