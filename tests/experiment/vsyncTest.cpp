@@ -156,8 +156,8 @@ TEST_F(VsyncTest, keepsTheGreysLengthWhereSwapsNoLongerWait) {
         ASSERT_FALSE(HasFatalFailure());
         // Half a period of the refresh that was there, which the last swap was asked for early.
         EXPECT_NEAR(grey_of("2").refreshes(), grey_frames, 0.75) << rate;
-        // The clock holds swaps back that wait for nothing.
-        EXPECT_LE(grey_of("2").frames.size(), static_cast<std::size_t>(grey_frames)) << rate;
+        // The clock holds swaps back that wait for nothing; at 120 Hz there would be twice as many.
+        EXPECT_LT(static_cast<double>(grey_of("2").frames.size()), 1.5 * grey_frames) << rate;
         const std::string events = facts_["Events"].dump();
         EXPECT_NE(events.find("swaps no longer wait"), std::string::npos) << rate;
         EXPECT_NE(events.find("the display was measured anew: the clock paces"), std::string::npos) << events;
