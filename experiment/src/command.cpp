@@ -45,6 +45,7 @@ OBSERVERS for --simulate
 
 FILES WRITTEN
   STUDY/dataset_description.json, participants.tsv, participants.json          once a study, a row once a participant
+  STUDY/README.md                                                              what a reader needs, unless there is a README
   STUDY/stimuli/contact_sheet.png, DIGITS/*.png                                copied from the stimuli, once a set
   STUDY/task-skin2afc_events.json                                              what the columns of events mean
   STUDY/sub-LABEL/beh/sub-LABEL_task-skin2afc_run-NN_beh.tsv                   the log, one row an answered trial

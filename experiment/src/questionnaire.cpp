@@ -145,6 +145,15 @@ Form close_form(const study::SessionTexts& texts) {
     return choice_form(texts, "close", texts.close, {texts.go_on, texts.stop});
 }
 
+Form screen_form(const study::SessionTexts& texts, const std::string& sizes) {
+    Form form;
+    form.id = "screen";
+    form.text = texts.screen;
+    form.facts = {{"px", sizes}};
+    form.next = texts.next;
+    return form;
+}
+
 bool ask_consent(const study::SessionTexts& texts, Stage& stage) {
     return texts.consent.empty() || stage.ask(consent_form(texts)).chosen.front() == 0;
 }

@@ -28,6 +28,9 @@ Form trouble_form(const study::SessionTexts& texts, const std::string& message);
 /// What is asked where the window should close: go on (0) or end the session (1).
 Form close_form(const study::SessionTexts& texts);
 
+/// What is shown while the screen, of these sizes, is too small for the pictures.
+Form screen_form(const study::SessionTexts& texts, const std::string& sizes);
+
 /// Ask for consent, where the protocol has a form; whether it was given. Throws Interrupted.
 bool ask_consent(const study::SessionTexts& texts, Stage& stage);
 

@@ -3,8 +3,6 @@
 
 #include "session.h"
 
-#include <algorithm>
-#include <cmath>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -29,7 +27,7 @@
 #include "simulated_stage.h"
 #include "start_page.h"
 #include "stimulus_set.h"
-#include "window/pacing.h"
+#include "timing_test.h"
 #include "window/window_stage.h"
 
 namespace experiment {
@@ -179,28 +177,6 @@ void keep_events(const SessionLog& log, const KeptStimuli& kept) {
     }
 }
 
-/// Say how exact a session before a screen was, and warn where that is not enough.
-void tell_timing(const StageFacts& facts, const Timing& timing) {
-    constexpr double acceptable_s = 2e-3, ms = 1000; // as the timing test has it
-    if (facts.observer || timing.grey_error_s.empty()) {
-        return;
-    }
-    std::vector<double> sizes_s;
-    for (const double error_s : timing.grey_error_s) {
-        sizes_s.push_back(std::abs(error_s));
-    }
-    const double worst_s = *std::max_element(sizes_s.begin(), sizes_s.end());
-    fmt::print("the grey was off by {:.2f} ms (median), {:.2f} ms (worst); dropped frames: {}\n",
-               ms * median(sizes_s), ms * worst_s,
-               facts.dropped_frames ? std::to_string(*facts.dropped_frames) : "n/a");
-    if (worst_s > acceptable_s || facts.dropped_frames.value_or(0) > 0) {
-        fmt::print(
-            stderr,
-            "skin2afc: warning: the timing was not acceptable throughout; the sidecar has each trial's, "
-            "and --timing-test tests the display\n");
-    }
-}
-
 /// Run the trials and record in the sidecar how they ended.
 void run_to_the_end(const Preparation& ready, Stage& stage, const Files& files, FrameTable& frames,
                     const KeptStimuli& kept) {
@@ -261,12 +237,13 @@ Said run_forms(const SessionOptions& options, const Preparation& ready, Stage& s
 }
 
 /// Write what belongs to the study, as far as it is not there yet; the copies of the stimuli that it has.
-KeptStimuli prepare_study(const SessionOptions& options, const Preparation& ready, const Answers& answers) {
-    ready.study.prepare(ready.protocol.title, options.participant);
+KeptStimuli prepare_study(const SessionOptions& options, const Preparation& ready, const Answers& answers,
+                          const std::function<void()>& tell) {
+    ready.study.prepare(ready.protocol.title, options.participant, tell);
     support::remove_leftovers(
         log_path(options.study, options.participant, ready.plan.run).parent_path()); // locked
     if (!answers.empty()) {
-        save_answers(options.study, options.participant, ready.protocol.session.questions, answers);
+        save_answers(options.study, options.participant, ready.protocol.session.questions, answers, tell);
     }
     // No session waits for pictures that can be copied later.
     KeptStimuli kept;
@@ -292,8 +269,9 @@ void run_on(const SessionOptions& options, const Preparation& ready, Stage& stag
     }
 
     // Open the files before the first picture.
+    const auto tell = [&] { stage.show(Page{protocol.session.texts.waiting}); };
     KeptStimuli kept;
-    write_with_retries(stage, [&] { kept = prepare_study(options, ready, said.answers); });
+    write_with_retries(stage, [&] { kept = prepare_study(options, ready, said.answers, tell); });
     std::optional<StudyCopy> copy;
     write_with_retries(stage, [&] { copy.emplace(options.study); });
     std::optional<SessionLog> log;
@@ -304,8 +282,8 @@ void run_on(const SessionOptions& options, const Preparation& ready, Stage& stag
         sidecar.note_consent(*said.consent_s);
     }
     const Files files{*log, sidecar, [&] {
-                          copy->restore();
-                          kept = prepare_study(options, ready, said.answers);
+                          copy->restore(tell);
+                          kept = prepare_study(options, ready, said.answers, tell);
                       }};
     // A torn line is taken off the log when the sidecar has it.
     write_with_retries(stage, [&] { sidecar.write(); });

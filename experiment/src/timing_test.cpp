@@ -147,6 +147,23 @@ std::string timing_report(const TimingFindings& findings) {
     return report;
 }
 
+void tell_timing(const StageFacts& facts, const Timing& timing) {
+    constexpr double ms = 1000;
+    if (facts.observer || timing.grey_error_s.empty()) {
+        return;
+    }
+    const double worst_s = worst(timing.grey_error_s);
+    fmt::print("the grey was off by {:.2f} ms (median), {:.2f} ms (worst); dropped frames: {}\n",
+               ms * median_size(timing.grey_error_s), ms * worst_s,
+               facts.dropped_frames ? std::to_string(*facts.dropped_frames) : "n/a");
+    if (worst_s >= acceptable_worst_s || facts.dropped_frames.value_or(0) > 0) {
+        fmt::print(
+            stderr,
+            "skin2afc: warning: the timing was not acceptable throughout; the sidecar has each trial's, "
+            "and --timing-test tests the display\n");
+    }
+}
+
 void run_timing_test(const SessionOptions& options, double seconds) {
     const Interruption interruption;
     const TimingFindings findings = measure(protocol_of(options), options.screen, seconds);

@@ -202,6 +202,7 @@ SessionTexts read_texts(TomlTable table) {
     texts.go_on = text("go_on", "Go on with the session");
     texts.screen = text("screen", "The screen has become too small for the images.\n\nPlease call the "
                                   "experimenter. The session goes on when the screen is as it was.");
+    texts.waiting = text("waiting", "One moment, please.\n\nAnother program is writing to the study.");
     return texts;
 }
 

@@ -52,7 +52,7 @@ TEST_F(SessionCommandTest, leavesAWholeStudy) {
         "stimuli/" + support::sha256_of_file(folder_ / "stimuli/manifest.json").substr(0, 12);
     EXPECT_EQ(fixture::files_below(folder_ / "study"),
               (std::vector<std::string>{
-                  "dataset_description.json", "participants.json", "participants.tsv",
+                  "README.md", "dataset_description.json", "participants.json", "participants.tsv",
                   copies + "/no_sss_near_000.png", copies + "/ts_near_000.png", "stimuli/contact_sheet.png",
                   "sub-01/beh/sub-01_task-skin2afc_run-01_beh.json",
                   "sub-01/beh/sub-01_task-skin2afc_run-01_beh.tsv",
@@ -123,6 +123,15 @@ TEST_F(SessionCommandTest, refusesWrongUsage) {
     expect_refused(run("01", {"--seed", "99999999999999999999"}), "--seed");
     expect_refused(run("01", {"--sed", "1"}), "--sed");
     expect_refused(fixture::run_program({"session"}), "required");
+    for (const char* length : {"--distance-cm", "--screen-width-mm"}) {
+        for (const char* value : {"nan", "inf", "0", "-1"}) {
+            expect_refused(run("01", {length, value}), length);
+        }
+    }
+    expect_refused(fixture::run_program({"session", "--timing-test", "nan"}), "--timing-test");
+    expect_refused(
+        fixture::run_program({"session", "--timing-test", "1", "--study", (folder_ / "study").string()}),
+        "--study");
 }
 
 TEST_F(SessionCommandTest, refusesAStudyFolderThatIsAFile) {

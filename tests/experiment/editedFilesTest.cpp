@@ -117,6 +117,28 @@ TEST_F(ResumeTest, goesOnInItsFrameTable) {
     EXPECT_EQ(fixture::read(frames).substr(0, table.size()), table);
 }
 
+TEST_F(ResumeTest, refusesTheFrameTableOfAnotherRun) {
+    cut_off_after(4);
+    const fs::path frames = folder_ / "frames.tsv";
+    const std::string columns = "trial\tpicture\tasked\tswap_began\tonset\tmissed_frames\tpart\tframe\trun\n";
+    const std::string others = columns + "1\tpage\t0\t0\t0\t0\t1\t1\tsub-02_run-01\n";
+    fixture::write(frames, others);
+    const auto outcome = run({"--frames", frames.string()});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("or the table of the run, found a file"), std::string::npos) << outcome.err;
+    EXPECT_EQ(fixture::read(frames), others);
+    fixture::write(frames, columns + "1\tpage\t0\t0\t0\t0\t1\t1\tsub-01_run-01\n");
+    EXPECT_EQ(run({"--frames", frames.string()}).exit_code, 0);
+}
+
+TEST_F(ResumeTest, notesRunsUnderAnotherVersionOfTheProtocol) {
+    ASSERT_EQ(run().exit_code, 0);
+    EXPECT_EQ(run({"--dry-run"}).out.find("another version"), std::string::npos);
+    fixture::append(protocol_.file, "\n# changed\n");
+    EXPECT_NE(run({"--dry-run"}).out.find("runs of this study under another version of the protocol: 1"),
+              std::string::npos);
+}
+
 TEST_F(ResumeTest, runsWhereTheContactSheetCannotBeKept) {
     fixture::write(folder_ / "stimuli/contact_sheet.png", "picture");
     fs::create_directory(study());

@@ -3,8 +3,11 @@
 
 #include <algorithm>
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/mount.h>
+#include <unistd.h>
 
 #include "resume_fixture.h"
 
@@ -75,9 +78,55 @@ TEST_F(ResumeTest, listsTheEventsOfAllPartsOfARun) {
     EXPECT_EQ(fixture::read_log(events_of(log())).size(), 36U);
 }
 
+TEST_F(ResumeTest, knowsNoTimeThatIsNotInTheLog) {
+    cut_off_after(3);
+    auto lines = fixture::lines_of(log());
+    const auto row = fixture::read_log(log())[0];
+    const std::string from = "\t" + row.at("onset_grey") + "\t";
+    lines[1].replace(lines[1].find(from), from.size(), "\tn/a\t");
+    fixture::write(log(), lines[0] + "\n" + lines[1] + "\n");
+    ASSERT_EQ(run().exit_code, 0);
+    const auto events = fixture::read_log(events_of(log()));
+    EXPECT_EQ(events[0].at("duration"), "n/a");
+    EXPECT_EQ(events[1].at("onset"), "n/a");
+    EXPECT_EQ(events[1].at("duration"), "n/a");
+    EXPECT_EQ(events[2].at("onset"), row.at("onset_second"));
+}
+
+TEST_F(ResumeTest, leavesEventsAloneWhoseColumnsWereChanged) {
+    cut_off_after(3);
+    fixture::write(events_of(log()), "onset\tduration\tgaze\n1\t2\tleft\n");
+    const auto outcome = run();
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_NE(outcome.err.find("has other columns than the program's"), std::string::npos) << outcome.err;
+    EXPECT_EQ(fixture::read(events_of(log())), "onset\tduration\tgaze\n1\t2\tleft\n");
+    EXPECT_EQ(facts()["Complete"], true);
+}
+
+TEST_F(ResumeTest, copiesAPictureAnewWhoseCopyWasChanged) {
+    ASSERT_EQ(run().exit_code, 0);
+    const auto kept = study() / "stimuli" / fixture::read_log(events_of(log()))[0].at("stim_file");
+    const std::string picture = fixture::read(kept);
+    fixture::write(kept, "another");
+    ASSERT_EQ(run().exit_code, 0);
+    EXPECT_EQ(fixture::read(kept), picture);
+}
+
+TEST_F(ResumeTest, leavesACopyThatAnotherProgramIsAt) {
+    fixture::write(study() / "stimuli/.contact_sheet.99.pending.png", "half");
+    const int copying = ::open((study() / "stimuli").c_str(), O_RDONLY | O_CLOEXEC);
+    ASSERT_EQ(::flock(copying, LOCK_SH), 0);
+    EXPECT_EQ(run().exit_code, 0);
+    ::close(copying);
+    EXPECT_EQ(fixture::read(study() / "stimuli/.contact_sheet.99.pending.png"), "half");
+    EXPECT_NE(fixture::read_log(events_of(log()))[0].at("stim_file"), "n/a"); // both may copy at once
+}
+
 TEST_F(ResumeTest, removesWhatAKilledProgramLeft) {
-    for (const char* left : {".participants.99.pending.tsv", ".probe.99", "sub-01/beh/.x.99.pending",
-                             "phenotype/.questionnaire.99.pending.json"}) {
+    for (const char* left :
+         {".participants.99.pending.tsv", ".probe.99", "sub-01/beh/.x.99.pending",
+          "phenotype/.questionnaire.99.pending.json", "stimuli/.contact_sheet.99.pending.png",
+          "stimuli/0123/.ts_near_000.99.pending.png", "stimuli/0123/.probe.99"}) {
         fixture::write(study() / left, "half");
     }
     fixture::write(study() / ".bidsignore", "extra");

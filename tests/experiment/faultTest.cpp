@@ -3,7 +3,10 @@
 
 #include <cstdlib>
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/mount.h>
+#include <unistd.h>
 
 #include "window_fixture.h"
 
@@ -20,21 +23,19 @@ class FaultTest : public WindowTest {
 protected:
     /// Answer the page that says what failed.
     void try_again() const {
-        std::this_thread::sleep_for(std::chrono::milliseconds(700));
+        wait_ms(700);
         VirtualScreen::key("1");
         VirtualScreen::key("Return");
-        std::this_thread::sleep_for(std::chrono::milliseconds(700));
+        wait_ms(700);
     }
     bool runs() const { return ::waitpid(program_, nullptr, WNOHANG) == 0; }
     std::vector<std::string> study_files() const { return fixture::files_below(study()); }
 };
 
 TEST_F(FaultTest, bringsBackAStudyThatWasMovedAway) {
-    start("[0, 60]", 0.1);
-    leave_instructions();
+    begin("[0, 60]");
     run_trial(0, "1");
-    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    wait_for_page();
     const auto files = study_files();
     fs::rename(study(), folder_ / "moved");
     run_trial(1, "2");
@@ -48,11 +49,9 @@ TEST_F(FaultTest, bringsBackAStudyThatWasMovedAway) {
 }
 
 TEST_F(FaultTest, keepsTheAnswerWhileAFileStandsInTheStudysPlace) {
-    start("[0, 60]", 0.1);
-    leave_instructions();
+    begin("[0, 60]");
     run_trial(0, "1");
-    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    wait_for_page();
     const auto files = study_files();
     fs::remove_all(study());
     fixture::write(study(), "");
@@ -71,10 +70,8 @@ TEST_F(FaultTest, saysThatTheSidecarFindsNoRoomAndGoesOn) {
     if (::mount("tmpfs", study().c_str(), "tmpfs", 0, "size=1m") != 0) {
         GTEST_SKIP() << "only root can mount a small file system";
     }
-    start("[0]", 0.1);
-    leave_instructions();
-    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
-    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    begin("[0]");
+    wait_for_page();
     // Fill the disk; the log's own block has room for the answer, the sidecar has none to be written anew.
     const auto free = fs::space(study()).available;
     fixture::write(study() / "filling", std::string(free, 'x'));
@@ -86,8 +83,7 @@ TEST_F(FaultTest, saysThatTheSidecarFindsNoRoomAndGoesOn) {
     fs::remove(study() / "filling");
     try_again();
     run_trial(1, "2");
-    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
-    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    wait_for_page();
     EXPECT_EQ(fixture::read_log(log()).size(), 2U);
     EXPECT_EQ(nlohmann::json::parse(fixture::read(sidecar()))["Complete"], true);
     ::kill(program_, SIGKILL);
@@ -96,15 +92,13 @@ TEST_F(FaultTest, saysThatTheSidecarFindsNoRoomAndGoesOn) {
 }
 
 TEST_F(FaultTest, savesTheAnswerThatWaitsWhenTheExperimenterEndsTheSession) {
-    start("[0, 60]", 0.1);
-    leave_instructions();
+    begin("[0, 60]");
     run_trial(0, "1");
-    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    wait_for_page();
     const std::string before = fixture::read(log());
     fixture::append(log(), "x"); // another program's, which the session does not touch
     run_trial(1, "2");
-    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    wait_ms(700);
     fs::resize_file(log(), before.size());
     VirtualScreen::key("ctrl+shift+q");
     EXPECT_EQ(finish().exit_code, 1);
@@ -113,18 +107,46 @@ TEST_F(FaultTest, savesTheAnswerThatWaitsWhenTheExperimenterEndsTheSession) {
 }
 
 TEST_F(FaultTest, printsAnAnswerThatFindsNoPlace) {
-    start("[0, 60]", 0.1);
-    leave_instructions();
-    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    begin("[0, 60]");
+    wait_for_page();
     fixture::append(log(), "x");
     run_trial(0, "2");
-    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    wait_ms(700);
     VirtualScreen::key("ctrl+shift+q");
     const auto outcome = finish();
     EXPECT_EQ(outcome.exit_code, 1);
     EXPECT_NE(outcome.err.find("an answer was not saved: 1 "), std::string::npos) << outcome.err;
     EXPECT_NE(fixture::read(sidecar()).find("an answer was not saved: 1 "), std::string::npos);
+}
+
+TEST_F(FaultTest, saysThatItWaitsForAnotherProgram) {
+    fs::create_directories(study());
+    const int held = ::open(study().c_str(), O_RDONLY | O_CLOEXEC);
+    ASSERT_EQ(::flock(held, LOCK_EX), 0);
+    start("[0]", 0.1);
+    // The start page is what stays.
+    const fs::path png = folder_ / "screen.png";
+    std::string shown, before;
+    for (bool page = false; !page || shown != before;) {
+        before = shown;
+        wait_ms(100);
+        page = screen_.save(png);
+        shown = fixture::read(png);
+    }
+    // Beyond it there is nothing without the study but the page that says so.
+    for (int look = 0; look < 100 && shown == before; ++look) {
+        VirtualScreen::key("Return");
+        wait_ms(100);
+        shown = screen_.save(png) ? fixture::read(png) : before;
+    }
+    EXPECT_NE(shown, before);
+    EXPECT_TRUE(study_files().empty());
+    ::close(held);
+    leave_instructions();
+    ASSERT_FALSE(HasFailure());
+    run_trial(0, "1");
+    EXPECT_EQ(end_and_read_events().find("another program"), std::string::npos); // nothing failed
+    EXPECT_EQ(fixture::read_log(log()).size(), 1U);
 }
 
 TEST_F(FaultTest, showsATrialAgainWhenTheMonitorWasUnplugged) {
@@ -137,19 +159,13 @@ TEST_F(FaultTest, showsATrialAgainWhenTheMonitorWasUnplugged) {
     ::unsetenv("LD_PRELOAD");
     ::unsetenv("SKIN2AFC_TEST_CABLE");
     leave_instructions();
-    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
-    VirtualScreen::key("space");
-    expect_picture(picture(0, true));
+    open_trial(0);
     fs::remove(cable);
     ASSERT_TRUE(screen_.becomes(1, 1, page_ground)); // the trial's number again
     fixture::write(cable, "");
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    wait_ms(300);
     run_trial(0, "2");
-    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
-    ::kill(program_, SIGTERM);
-    finish();
-    const std::string events = nlohmann::json::parse(fixture::read(sidecar()))["Events"].dump();
+    const std::string events = end_and_read_events();
     EXPECT_NE(events.find("a monitor was unplugged"), std::string::npos) << events;
     EXPECT_NE(events.find("a monitor was plugged in"), std::string::npos) << events;
     EXPECT_NE(events.find("the screen changed; the trial was shown again"), std::string::npos) << events;
@@ -158,8 +174,7 @@ TEST_F(FaultTest, showsATrialAgainWhenTheMonitorWasUnplugged) {
 
 TEST_F(FaultTest, takesTheDigitsRowOfAnAzertyKeyboard) {
     ASSERT_EQ(std::system("setxkbmap fr"), 0);
-    start("[0]", 0.1);
-    leave_instructions();
+    begin("[0]");
     run_trial(0, "eacute"); // where others have 2
     run_trial(1, "ampersand");
     ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
@@ -172,9 +187,8 @@ TEST_F(FaultTest, takesTheDigitsRowOfAnAzertyKeyboard) {
 
 TEST_F(FaultTest, endsByTheExperimentersKeysOnACyrillicKeyboard) {
     ASSERT_EQ(std::system("setxkbmap ru"), 0);
-    start("[0]", 0.1);
-    leave_instructions();
-    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    begin("[0]");
+    wait_ms(500);
     VirtualScreen::key("ctrl+shift+Cyrillic_shorti"); // where others have Q
     const auto outcome = finish();
     EXPECT_EQ(outcome.exit_code, 1);

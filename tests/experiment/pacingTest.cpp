@@ -90,6 +90,7 @@ TEST(FrameTest, areMissedOnlyWhereNoSwapCameForThem) {
     EXPECT_EQ(std::accumulate(late.begin(), late.end(), 0), 1);
     // Swaps that do not wait miss nothing.
     EXPECT_EQ(missed({0, 0.01, 0.02, 1}), (std::vector{0, 0, 0}));
+    EXPECT_EQ(missed({0, 0.01, 2, 3}), (std::vector{0, 0, 0}));
 }
 
 TEST(ClockTest, neverWakesBeforeTheDeadline) {

@@ -46,6 +46,18 @@ TEST_F(ResumeTest, setsATornLineAside) {
     EXPECT_EQ(fixture::read(log()).find("no_s\n"), std::string::npos);
 }
 
+TEST_F(ResumeTest, takesOffATornLineAfterTheLastAnswer) {
+    cut_off_after(12, "13\tts\tno_s");
+    nlohmann::ordered_json content = nlohmann::ordered_json::parse(fixture::read(sidecar()));
+    content["Complete"] = false;
+    fixture::write(sidecar(), content.dump());
+    EXPECT_EQ(run().exit_code, 0);
+    EXPECT_EQ(fixture::lines_of(log()).size(), 13U);
+    EXPECT_TRUE(fixture::read(log()).ends_with("\n"));
+    EXPECT_EQ(facts()["Complete"], true);
+    EXPECT_FALSE(fs::exists(log(2)));
+}
+
 TEST_F(ResumeTest, keepsTheClockRising) {
     cut_off_after(5);
     run();
@@ -117,6 +129,27 @@ TEST_F(ResumeTest, refusesOtherConditionsThanTheRunBeganWith) {
 
     fixture::write(protocol_.file, fixture::read(protocol_.file) + "\n# changed\n");
     expect_refused(run(), "ProtocolDigest: expected the protocol that the run began with");
+}
+
+TEST_F(ResumeTest, goesOnWithARealRunThatKnowsOfNoObservers) {
+    // As a run of people has it whose sidecar was written before it named observers.
+    cut_off_after(4);
+    nlohmann::ordered_json content = nlohmann::ordered_json::parse(fixture::read(sidecar()));
+    content.erase("ObserverDigest");
+    content["Simulated"] = false;
+    fixture::write(sidecar(), content.dump());
+    nlohmann::ordered_json study_is =
+        nlohmann::ordered_json::parse(fixture::read(study() / "dataset_description.json"));
+    study_is["Simulated"] = false;
+    fixture::write(study() / "dataset_description.json", study_is.dump());
+    auto words = arguments(study(), {"--dry-run"});
+    const auto simulate = std::find(words.begin(), words.end(), "--simulate");
+    words.erase(simulate, simulate + 2);
+    const auto outcome = fixture::run_program(words);
+    EXPECT_NE(outcome.err.find("it goes on at trial 5 of 12"), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find("Digest"), std::string::npos) << outcome.err; // where there is no display
+    // A simulated one is another observer.
+    EXPECT_EQ(run({"--dry-run"}).exit_code, 2);
 }
 
 TEST_F(ResumeTest, saysThatTheClockWasSetBack) {

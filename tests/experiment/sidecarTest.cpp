@@ -95,6 +95,7 @@ TEST_F(SidecarTest, hasFramesOnFileBeforeTheSessionEnds) {
     EXPECT_EQ(rows[2].at("frame"), "2");
     EXPECT_EQ(rows[3].at("trial"), "2");
     EXPECT_EQ(rows[3].at("part"), "2");
+    EXPECT_EQ(rows[3].at("run"), "sub-01_run-01");
 }
 
 TEST(NoneTest, excludesTheOtherChoicesAndIsNoMissingAnswer) {

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The skin2afc authors
 // SPDX-License-Identifier: MIT
 
+#include <algorithm>
+#include <csignal>
 #include <set>
 
 #include <fcntl.h>
@@ -12,7 +14,10 @@
 #include <support/error.h>
 
 #include "fixture.h"
+#include "interruption.h"
+#include "log/folder_lock.h"
 #include "log/study_folder.h"
+#include "stage.h"
 
 namespace {
 
@@ -85,14 +90,63 @@ TEST(StudyFolderTest, waitsForTheProgramThatHoldsTheParticipants) {
     const pid_t child = ::fork();
     if (child == 0) {
         ::close(held);
-        StudyFolder(folder.path(), true, "paper").prepare("A study", "01");
-        ::_exit(0);
+        bool told = false; // so short a wait is no one's concern
+        StudyFolder(folder.path(), true, "paper").prepare("A study", "01", [&] { told = true; });
+        ::_exit(told ? 1 : 0);
     }
     ::usleep(200000); // a hundred times what it takes
     EXPECT_EQ(fixture::read(folder / "participants.tsv"), "participant_id\n");
     ::close(held);
-    ::waitpid(child, nullptr, 0);
+    int status = 1;
+    ::waitpid(child, &status, 0);
+    EXPECT_EQ(status, 0);
     EXPECT_EQ(fixture::read(folder / "participants.tsv"), "participant_id\nsub-01\n");
+}
+
+TEST(StudyFolderTest, tellsWhoWaitsLongAndGivesUp) {
+    const fixture::TemporaryFolder folder;
+    const int held = ::open(folder.path().c_str(), O_RDONLY);
+    ASSERT_EQ(::flock(held, LOCK_EX), 0);
+    int told = 0;
+    EXPECT_THROW(StudyFolder(folder.path(), true, "paper").prepare("A study", "01", [&] { ++told; }),
+                 support::Failure);
+    EXPECT_EQ(told, 1);
+    EXPECT_TRUE(fixture::files_below(folder.path()).empty());
+    // Who waits can be asked to end.
+    const experiment::Interruption interruption;
+    std::raise(SIGTERM);
+    EXPECT_THROW(experiment::FolderLock::wait(folder.path()), experiment::Interrupted);
+    ::close(held);
+}
+
+TEST(FolderLockTest, isSharedByManyOrHeldByOne) {
+    const fixture::TemporaryFolder folder;
+    {
+        const auto one = experiment::FolderLock::share(folder.path());
+        const auto other = experiment::FolderLock::share(folder.path());
+        EXPECT_FALSE(experiment::FolderLock::attempt(folder.path()));
+    }
+    EXPECT_TRUE(experiment::FolderLock::attempt(folder.path()));
+}
+
+TEST(StudyFolderTest, tellsReadersWhatItHoldsWhereNoOneHas) {
+    const fixture::TemporaryFolder folder;
+    StudyFolder(folder / "real", false, "paper").prepare("Faces of 2009", "01");
+    StudyFolder(folder / "simulated", true, "paper").prepare("Faces of 2009", "01");
+    const std::string real = fixture::read(folder / "real/README.md");
+    EXPECT_EQ(real.rfind("# Faces of 2009\n", 0), 0U) << real;
+    EXPECT_EQ(real.find("Simulated"), std::string::npos);
+    EXPECT_NE(fixture::read(folder / "simulated/README.md").find("no person took part"), std::string::npos);
+    // Each name that BIDS has for it, and the program's own text once it was edited.
+    for (const char* name : {"README", "README.md", "README.rst", "README.txt"}) {
+        fixture::write(folder / name / name, "ours");
+        StudyFolder(folder / name, false, "paper").prepare("Faces of 2009", "01");
+        EXPECT_EQ(fixture::read(folder / name / name), "ours");
+        const auto files = fixture::files_below(folder / name);
+        EXPECT_EQ(std::count_if(files.begin(), files.end(),
+                                [](const std::string& file) { return file.starts_with("README"); }),
+                  1);
+    }
 }
 
 TEST(StudyFolderTest, saysWhetherItsParticipantsAreSimulated) {

@@ -36,6 +36,24 @@ TEST(TimingReportTest, judgesSizesWhateverTheirSign) {
     EXPECT_TRUE(says(dropping, "not acceptable"));
 }
 
+TEST(TimingWarningTest, comesWhereAGreyIsOffByMoreThanIsAcceptable) {
+    const auto warns = [](const experiment::StageFacts& facts, std::vector<double> grey_error_s) {
+        testing::internal::CaptureStdout();
+        testing::internal::CaptureStderr();
+        experiment::tell_timing(facts, {.grey_error_s = std::move(grey_error_s), .save_s = {}});
+        testing::internal::GetCapturedStdout();
+        return !testing::internal::GetCapturedStderr().empty();
+    };
+    EXPECT_FALSE(warns({}, {0.0005, -0.0019, 0.0005}));
+    EXPECT_TRUE(warns({}, {0.0005, -0.0021, 0.0005}));
+    experiment::StageFacts dropping;
+    dropping.dropped_frames = 1;
+    EXPECT_TRUE(warns(dropping, {0.0005}));
+    experiment::StageFacts simulated;
+    simulated.observer = "null";
+    EXPECT_FALSE(warns(simulated, {1}));
+}
+
 TEST(TimingTestCommandTest, printsHowToReadItWithoutAnythingElse) {
     const fixture::TemporaryFolder folder;
     const fixture::VirtualScreen screen(folder.path(), 320, 200);

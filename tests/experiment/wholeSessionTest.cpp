@@ -104,6 +104,14 @@ protected:
              study().string(), "--participant", "01", "--frames", (folder_ / "frames.tsv").string()},
             folder_.path());
     }
+    /// Start, and go on from the start page to the consent.
+    void open_consent() {
+        start();
+        ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
+        settle("start");
+        key("Return");
+        settle("consent");
+    }
     fixture::Outcome finish() {
         const auto outcome = fixture::wait_for_program(program_, folder_.path());
         program_ = -1;
@@ -156,11 +164,7 @@ protected:
 };
 
 TEST_F(WholeSessionTest, leadsAParticipantFromTheConsentToTheEnd) {
-    start();
-    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
-    settle("start");
-    key("Return");
-    settle("consent");
+    open_consent();
     EXPECT_TRUE(fixture::files_below(study()).empty()); // nothing is written before consent
     key("Escape");
     key("Return"); // no answer yet: said so, and nothing else
@@ -240,11 +244,7 @@ TEST_F(WholeSessionTest, leadsAParticipantFromTheConsentToTheEnd) {
 
 TEST_F(WholeSessionTest, letsAParticipantDeclineUnread) {
     write_long_consent();
-    start();
-    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
-    settle("start");
-    key("Return");
-    settle("consent");
+    open_consent();
     key("2");
     settle("consent_declined");
     key("Return");
@@ -254,11 +254,7 @@ TEST_F(WholeSessionTest, letsAParticipantDeclineUnread) {
 
 TEST_F(WholeSessionTest, takesNoConsentToATextThatWasNotSeenToItsEnd) {
     write_long_consent();
-    start();
-    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
-    settle("start");
-    key("Return");
-    settle("consent");
+    open_consent();
     key("1");
     settle("consent_chosen");
     key("Return");
@@ -276,11 +272,7 @@ TEST_F(WholeSessionTest, takesNoConsentToATextThatWasNotSeenToItsEnd) {
 
 TEST_F(WholeSessionTest, scrollsByEachQuickPress) {
     write_long_consent();
-    start();
-    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
-    settle("start");
-    key("Return");
-    settle("consent");
+    open_consent();
     // Two lines a press; the text has some forty below the screen's end.
     VirtualScreen::act({"key", "--repeat", "30", "--delay", "1", "Down"});
     settle("consent_end");
@@ -293,11 +285,7 @@ TEST_F(WholeSessionTest, scrollsByEachQuickPress) {
 }
 
 TEST_F(WholeSessionTest, endsPolitelyWithoutConsent) {
-    start();
-    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
-    settle("start");
-    key("Return");
-    settle("consent");
+    open_consent();
     key("2");
     settle("declined_choice");
     key("Return");

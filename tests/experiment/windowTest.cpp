@@ -21,8 +21,7 @@ using fixture::VirtualScreen;
 using fixture::WindowTest;
 
 TEST_F(WindowTest, runsASessionByRealKeysAndShowsEachPicturePixelForPixel) {
-    start("[0, 60]", 0.5);
-    leave_instructions();
+    begin("[0, 60]", 0.5);
     const std::vector<std::string> answers{"1", "2", "KP_1", "KP_2"};
     for (std::size_t trial = 0; trial < answers.size(); ++trial) {
         run_trial(trial, answers[trial]);
@@ -30,11 +29,11 @@ TEST_F(WindowTest, runsASessionByRealKeysAndShowsEachPicturePixelForPixel) {
             return;
         }
     }
-    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    wait_for_page();
     VirtualScreen::key("space");
     const auto outcome = finish();
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("the grey was off by"), std::string::npos) << outcome.out;
 
     const auto rows = fixture::read_log(log());
     ASSERT_EQ(rows.size(), 4U);
@@ -58,8 +57,7 @@ TEST_F(WindowTest, runsASessionByRealKeysAndShowsEachPicturePixelForPixel) {
 }
 
 TEST_F(WindowTest, keepsEveryAnswerWhenKilled) {
-    start("[0, 60]", 0.1);
-    leave_instructions();
+    begin("[0, 60]");
     run_trial(0, "1");
     run_trial(1, "2");
     ASSERT_TRUE(screen_.becomes(1, 1, page_ground)); // the third trial's number is drawn
@@ -73,8 +71,7 @@ TEST_F(WindowTest, keepsEveryAnswerWhenKilled) {
 }
 
 TEST_F(WindowTest, endsInOrderWhenAskedTo) {
-    start("[0]", 0.1);
-    leave_instructions();
+    begin("[0]");
     run_trial(0, "1");
     ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
     ::kill(program_, SIGTERM);
@@ -85,14 +82,12 @@ TEST_F(WindowTest, endsInOrderWhenAskedTo) {
 }
 
 TEST_F(WindowTest, takesAKeyThatIsHeldForOnePress) {
-    start("[0]", 0.1);
-    leave_instructions();
-    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    begin("[0]");
+    wait_for_page();
     VirtualScreen::key_down("space");
     expect_picture(picture(0, true));
     // X repeats a held key after 660 ms; nothing may come of that, nor of an answer while space is held.
-    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+    wait_ms(1500);
     VirtualScreen::key("1");
     expect_picture(picture(0, true));
     VirtualScreen::key_up("space");
@@ -101,25 +96,19 @@ TEST_F(WindowTest, takesAKeyThatIsHeldForOnePress) {
 }
 
 TEST_F(WindowTest, asksBeforeAClosedWindowEndsIt) {
-    start("[0]", 0.1);
-    leave_instructions();
-    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
-    VirtualScreen::key("space");
-    expect_picture(picture(0, true));
+    begin("[0]");
+    open_trial(0);
     // Asked in the middle of a trial, and told to go on, it shows the trial again.
     VirtualScreen::ask_to_close();
-    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    wait_for_page();
     VirtualScreen::key("Escape"); // does nothing
     VirtualScreen::key("1");
     VirtualScreen::key("Return");
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    wait_ms(300);
     run_trial(0, "1");
-    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    wait_for_page();
     VirtualScreen::ask_to_close();
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    wait_ms(300);
     VirtualScreen::key("2");
     VirtualScreen::key("Return");
     const auto outcome = finish();
@@ -132,53 +121,37 @@ TEST_F(WindowTest, asksBeforeAClosedWindowEndsIt) {
 }
 
 TEST_F(WindowTest, saysThatTheKeyboardWasElsewhere) {
-    start("[0]", 0.1);
-    leave_instructions();
+    begin("[0]");
     VirtualScreen::focus(false);
-    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    wait_ms(200);
     VirtualScreen::focus(true);
     run_trial(0, "2");
-    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
-    ::kill(program_, SIGTERM);
-    finish();
-    const std::string events = nlohmann::json::parse(fixture::read(sidecar()))["Events"].dump();
+    const std::string events = end_and_read_events();
     EXPECT_NE(events.find("lost the keyboard"), std::string::npos) << events;
     EXPECT_NE(events.find("has the keyboard again"), std::string::npos) << events;
 }
 
 TEST_F(WindowTest, showsATrialAgainWhenTheScreenChanged) {
-    start("[0]", 0.1);
-    leave_instructions();
-    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
-    VirtualScreen::key("space");
-    expect_picture(picture(0, true));
+    begin("[0]");
+    open_trial(0);
     const auto resize = [](const char* width, const char* height) {
         VirtualScreen::act({"search", "--name", "^skin2afc$", "windowsize", width, height});
     };
     resize("300", "150"); // smaller than the pictures: the session waits
-    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    wait_for_page();
     resize("403", "301");
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    wait_ms(300);
     VirtualScreen::key("Return");
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    wait_ms(300);
     run_trial(0, "2");
-    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
-    ::kill(program_, SIGTERM);
-    finish();
-    const std::string events = nlohmann::json::parse(fixture::read(sidecar()))["Events"].dump();
+    const std::string events = end_and_read_events();
     EXPECT_NE(events.find("the screen changed; the trial was shown again"), std::string::npos) << events;
     EXPECT_EQ(fixture::read_log(log()).size(), 1U);
 }
 
 TEST_F(WindowTest, takesTheFirstOfTwoKeysAtOnce) {
-    start("[0]", 0.1);
-    leave_instructions();
-    ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
-    VirtualScreen::key("space");
-    expect_picture(picture(0, true));
+    begin("[0]");
+    open_trial(0);
     VirtualScreen::key("space");
     ASSERT_TRUE(screen_.becomes(1, 1, grey));
     expect_picture(picture(0, false));
@@ -189,8 +162,7 @@ TEST_F(WindowTest, takesTheFirstOfTwoKeysAtOnce) {
 }
 
 TEST_F(WindowTest, goesOnAfterAKillAtTheFirstTrialWithoutAnswer) {
-    start("[0, 60]", 0.1);
-    leave_instructions();
+    begin("[0, 60]");
     run_trial(0, "1");
     ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
     ::kill(program_, SIGKILL);
@@ -200,11 +172,11 @@ TEST_F(WindowTest, goesOnAfterAKillAtTheFirstTrialWithoutAnswer) {
     const auto parts = [&] { return nlohmann::json::parse(fixture::read(sidecar()))["Parts"].size(); };
     while (parts() < 2) {
         VirtualScreen::key("Return");
-        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        wait_ms(100);
     }
-    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    wait_ms(500);
     VirtualScreen::key("space");
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    wait_ms(300);
     run_trial(1, "2");
     ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
     EXPECT_EQ(fixture::read(log()).substr(0, before.size()), before);

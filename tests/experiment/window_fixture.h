@@ -42,6 +42,11 @@ protected:
         words.insert(words.end(), more.begin(), more.end());
         program_ = start_program(words, folder_.path());
     }
+    /// Start, and go on to the first trial's number.
+    void begin(const std::string& azimuths, double grey_s = 0.1) {
+        start(azimuths, grey_s);
+        leave_instructions();
+    }
     ~WindowTest() override {
         if (program_ > 0) {
             ::kill(program_, SIGKILL);
@@ -79,19 +84,35 @@ protected:
         EXPECT_EQ(screen_.pixel(left, top + 200), black);
     }
 
-    /// From the trial's number to its answer.
-    void run_trial(std::size_t trial, const std::string& answer) const {
+    static void wait_ms(int time_ms) { std::this_thread::sleep_for(std::chrono::milliseconds(time_ms)); }
+    /// Wait for a page that is all there: a press before answers nothing.
+    void wait_for_page() const {
         ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
-        // A press before the page is all there answers nothing.
-        std::this_thread::sleep_for(std::chrono::milliseconds(400));
+        wait_ms(400);
+    }
+    /// From the trial's number to its first picture.
+    void open_trial(std::size_t trial) const {
+        wait_for_page();
         VirtualScreen::key("space");
         expect_picture(picture(trial, true));
+    }
+    /// From the trial's number to its answer.
+    void run_trial(std::size_t trial, const std::string& answer) const {
+        open_trial(trial);
         VirtualScreen::key("space");
         ASSERT_TRUE(screen_.becomes(1, 1, grey));
         EXPECT_EQ(screen_.pixel(screen_width - 1, screen_height - 1), grey);
         VirtualScreen::key("2"); // too early: the second picture is not there yet
         expect_picture(picture(trial, false));
         VirtualScreen::key(answer);
+    }
+
+    /// Ask the session at a page to end; what its sidecar says that happened.
+    std::string end_and_read_events() {
+        EXPECT_TRUE(screen_.becomes(1, 1, page_ground));
+        ::kill(program_, SIGTERM);
+        finish();
+        return nlohmann::json::parse(read(sidecar()))["Events"].dump();
     }
 
     /// The session's last words.
@@ -104,12 +125,13 @@ protected:
     void leave_instructions() const {
         ASSERT_TRUE(screen_.becomes(1, 1, page_ground));
         // The start page may not be there yet: only what it asks for ends it.
-        while (!std::filesystem::exists(sidecar())) {
+        for (int presses = 0; !std::filesystem::exists(sidecar()); ++presses) {
+            ASSERT_LT(presses, 200);
             VirtualScreen::key("Return");
-            std::this_thread::sleep_for(std::chrono::milliseconds(100));
+            wait_ms(100);
         }
         // The instructions come after the sidecar; their first key may come too early.
-        std::this_thread::sleep_for(std::chrono::milliseconds(500));
+        wait_ms(500);
         VirtualScreen::key("space");
     }
 

@@ -224,6 +224,20 @@ optional = true
     EXPECT_TRUE(protocol.session.questions[1].optional);
 }
 
+TEST_F(ProtocolTest, refusesWordsInBracesThatNothingIsPutInFor) {
+    const auto text = [&](const char* key, const char* words) {
+        return error(std::string(least) + "[session.texts]\n" + key + " = \"" + words + "\"\n");
+    };
+    for (const char* key : {"trial", "instructions", "waiting"}) {
+        EXPECT_NE(text(key, "Trial {trail}")
+                      .find(std::string("session.texts.") + key +
+                            ": expected {trial} or {trials} in braces, found \"{trail}\""),
+                  std::string::npos)
+            << text(key, "Trial {trail}");
+    }
+    EXPECT_EQ(text("trial", "{trial} of {trials}, {}, {1}"), "no error");
+}
+
 TEST_F(ProtocolTest, refusesQuestionsThatCannotBeAskedOrWritten) {
     const auto question = [&](const std::string& fields) {
         return error(std::string(least) + "[[session.questions]]\ntext = \"?\"\n" + fields);

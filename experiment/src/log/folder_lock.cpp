@@ -46,13 +46,16 @@ bool is_still_there(int fd) {
 
 } // namespace
 
-FolderLock FolderLock::wait(const fs::path& folder) {
+FolderLock FolderLock::wait(const fs::path& folder, int how, const std::function<void()>& tell) {
     // Look again and again, so that whoever waits can be told, and the session be ended.
     constexpr useconds_t pause_us = 20000;
-    constexpr int most_looks = 250; // 5 s
+    constexpr int silent_looks = 25, most_looks = 250; // 0.5 s, 5 s
     FolderLock held(open_folder(folder));
-    for (int look = 0; !lock(held.fd_, LOCK_EX | LOCK_NB, folder); ++look) {
+    for (int look = 0; !lock(held.fd_, how | LOCK_NB, folder); ++look) {
         Interruption::check();
+        if (look == silent_looks && tell) {
+            tell();
+        }
         if (look >= most_looks) {
             throw support::failure("{}: is held by another program", folder.string());
         }
@@ -60,6 +63,12 @@ FolderLock FolderLock::wait(const fs::path& folder) {
     }
     return held;
 }
+
+FolderLock FolderLock::wait(const fs::path& folder, const std::function<void()>& tell) {
+    return wait(folder, LOCK_EX, tell);
+}
+
+FolderLock FolderLock::share(const fs::path& folder) { return wait(folder, LOCK_SH, {}); }
 
 std::optional<FolderLock> FolderLock::attempt(const fs::path& folder) {
     while (true) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -14,9 +15,11 @@ namespace fs = std::filesystem;
 /// An exclusive lock on a folder, held while it lives; it goes with the program, however that ends.
 class FolderLock {
 public:
-    /// Wait until no other program holds the folder, some seconds at most. Throws support::Failure,
-    /// Interrupted.
-    static FolderLock wait(const fs::path& folder);
+    /// Wait until no other program holds the folder, some seconds at most; where that takes longer than
+    /// anyone should wait without a word, `tell` is called once. Throws support::Failure, Interrupted.
+    static FolderLock wait(const fs::path& folder, const std::function<void()>& tell = {});
+    /// Hold the folder together with others that share it. Throws as wait() does.
+    static FolderLock share(const fs::path& folder);
     /// Nothing where another program holds the folder. Makes the folder where there is none, and takes an
     /// empty one away again in the end. Throws support::Failure, InputError.
     static std::optional<FolderLock> attempt(const fs::path& folder);
@@ -33,6 +36,7 @@ public:
 
 private:
     explicit FolderLock(int fd) : fd_(fd) {}
+    static FolderLock wait(const fs::path& folder, int how, const std::function<void()>& tell);
     int fd_;
     fs::path made_, made_parent_; // to take away again where it stays empty
 };

@@ -143,7 +143,8 @@ bool has_answered(const fs::path& study, const std::string& label) {
 }
 
 void save_answers(const fs::path& study, const std::string& label,
-                  const std::vector<study::Question>& questions, const Answers& answers) {
+                  const std::vector<study::Question>& questions, const Answers& answers,
+                  const std::function<void()>& tell) {
     // Sort answers and descriptions by the file they belong to.
     Answers about_person, about_study;
     ordered_json person,
@@ -155,7 +156,7 @@ void save_answers(const fs::path& study, const std::string& label,
         (to_participants ? person : others)[questions[i].id] = description_of(questions[i]);
     }
     // The questionnaire's row comes last: where it is, all is.
-    const FolderLock lock = FolderLock::wait(study);
+    const FolderLock lock = FolderLock::wait(study, tell);
     const std::string id = "sub-" + label;
     ParticipantTable participants(study / "participants.tsv");
     participants.note(id, about_person);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -42,8 +43,10 @@ private:
 bool has_answered(const fs::path& study, const std::string& label);
 
 /// Write a participant's answers: age, sex and handedness to participants.tsv, the others to
-/// phenotype/questionnaire.tsv, with their descriptions beside them. Throws support::Failure.
+/// phenotype/questionnaire.tsv, with their descriptions beside them; `tell` says that it waits for another
+/// program. Throws support::Failure.
 void save_answers(const fs::path& study, const std::string& label,
-                  const std::vector<study::Question>& questions, const Answers& answers);
+                  const std::vector<study::Question>& questions, const Answers& answers,
+                  const std::function<void()>& tell = {});
 
 } // namespace experiment

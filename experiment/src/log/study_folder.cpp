@@ -23,6 +23,7 @@ using support::input_error;
 
 constexpr std::size_t longest_label = 64;
 constexpr const char* events_file = "task-skin2afc_events.json";
+constexpr const char* readme_file = "README.md";
 constexpr const char* bids_version = "1.11.0";
 constexpr const char* stimuli_folder = "stimuli";                     // BIDS has a place for them
 constexpr std::uintmax_t room_for_answers = std::uintmax_t{64} << 20; // bytes
@@ -57,18 +58,40 @@ ordered_json description(const std::string& title, const std::string& protocol, 
             {"Simulated", simulated}};
 }
 
+/// What a reader needs who knows nothing of the study.
+std::string readme(const std::string& title, const std::string& protocol, bool simulated) {
+    return fmt::format(
+        R"(# {}
+
+{}Answers in a two-alternative forced choice between pictures of rendered skin, collected by skin2afc {}
+with the protocol {}, as a data set in the Brain Imaging Data Structure (BIDS {}).
+
+- `participants.tsv`: one row a participant; `participants.json` describes its columns.
+- `sub-<label>/beh/*_beh.tsv`: one row an answered trial, in the order shown. The file of the same name that ends
+  in `.json` describes the columns, and says how the session ran: instructions, seed, screen, timing, whether it is complete.
+- `sub-<label>/beh/*_events.tsv`: the same trials picture by picture, each with its file below `stimuli/`.
+- `phenotype/questionnaire.tsv`: answers to the questions before the first session, where there were any.
+- `stimuli/`: the pictures that were shown, a folder a set, and where there was one a contact sheet.
+
+A missing value is `n/a`. Of a participant's runs the last complete one counts, or, where none is complete, the last.
+
+The program writes this text once and leaves it alone. Add what it cannot know: who took part, where and when, under
+whose approval, who to ask, and under what licence the data may be used.
+)",
+        title, simulated ? "Simulated participants; no person took part.\n\n" : "", SKIN2AFC_VERSION,
+        protocol, bids_version);
+}
+
+/// Whether a study has a text for its readers, under any of the names that BIDS has for it.
+bool has_readme(const fs::path& folder) {
+    const auto there = [&](const char* name) { return fs::exists(folder / name); };
+    return there("README") || there("README.md") || there("README.rst") || there("README.txt");
+}
+
 /// Whether a file is there and has that SHA-256.
 bool is_picture(const fs::path& file, const std::string& digest) {
     std::error_code unknown;
     return fs::is_regular_file(file, unknown) && support::sha256_of_file(file) == digest;
-}
-
-/// The copy is there whole or not at all.
-void copy_in_one_step(const fs::path& from, const fs::path& to) {
-    support::make_writable_folder(to.parent_path());
-    support::PendingFile pending(to);
-    fs::copy_file(from, pending.path(), fs::copy_options::overwrite_existing);
-    pending.commit();
 }
 
 void write_if_absent(const fs::path& path, const ordered_json& content) {
@@ -131,9 +154,10 @@ void StudyFolder::check_kind() const {
     }
 }
 
-void StudyFolder::prepare(const std::string& title, const std::string& label) const {
+void StudyFolder::prepare(const std::string& title, const std::string& label,
+                          const std::function<void()>& tell) const {
     support::make_writable_folder(folder_);
-    const FolderLock lock = FolderLock::wait(folder_);
+    const FolderLock lock = FolderLock::wait(folder_, tell);
     for (const fs::path& folder : {folder_, folder_ / "phenotype"}) {
         support::remove_leftovers(folder);
     }
@@ -145,6 +169,9 @@ void StudyFolder::prepare(const std::string& title, const std::string& label) co
     if (const fs::path events = folder_ / events_file; !fs::exists(events)) {
         support::write_atomically(events, events_description());
     }
+    if (!has_readme(folder_)) {
+        support::write_atomically(folder_ / readme_file, readme(title, protocol_, simulated_));
+    }
     if (participants.note("sub-" + label, {})) {
         participants.write();
     }
@@ -154,11 +181,37 @@ void StudyFolder::keep_contact_sheet(const fs::path& sheet) const {
     const fs::path kept = folder_ / stimuli_folder / "contact_sheet.png";
     if (fs::is_regular_file(sheet) && !fs::exists(kept)) {
         check_room(fs::file_size(sheet));
-        copy_in_one_step(sheet, kept);
+        copy_picture(sheet, kept.filename());
+    }
+}
+
+/// The copy is there whole or not at all.
+void StudyFolder::copy_picture(const fs::path& from, const fs::path& name) const {
+    const fs::path copies = folder_ / stimuli_folder, to = copies / name;
+    support::make_writable_folder(to.parent_path());
+    const FolderLock shared = FolderLock::share(copies); // what is half there has not been left
+    support::PendingFile pending(to);
+    fs::copy_file(from, pending.path(), fs::copy_options::overwrite_existing);
+    pending.commit();
+}
+
+/// Remove what is half there, unless a program is at it.
+void StudyFolder::remove_half_copies() const {
+    const fs::path copies = folder_ / stimuli_folder;
+    std::error_code none;
+    if (!fs::is_directory(copies, none)) {
+        return;
+    }
+    if (const auto alone = FolderLock::attempt(copies)) {
+        support::remove_leftovers(copies);
+        for (const auto& entry : fs::directory_iterator(copies, none)) {
+            support::remove_leftovers(entry.path());
+        }
     }
 }
 
 KeptStimuli StudyFolder::keep_stimuli(const StimulusSet& stimuli) const {
+    remove_half_copies();
     // Of two sets that share names, each has a folder of its own.
     const fs::path own = stimuli.manifest_digest().substr(0, 12);
     KeptStimuli kept;
@@ -179,7 +232,7 @@ KeptStimuli StudyFolder::keep_stimuli(const StimulusSet& stimuli) const {
     for (const auto& [stimulus, file] : stimuli.files()) {
         const fs::path name = own / file.filename();
         if (!kept.contains(stimulus) && is_picture(file, stimuli.digest_of(stimulus))) {
-            copy_in_one_step(file, folder_ / stimuli_folder / name);
+            copy_picture(file, name);
             kept[stimulus] = name.string();
         }
     }
@@ -196,16 +249,16 @@ void StudyFolder::check_room(std::uintmax_t bytes) const {
 
 StudyCopy::StudyCopy(fs::path folder) : folder_(std::move(folder)) {
     for (const char* name : {"dataset_description.json", "participants.tsv", "participants.json", events_file,
-                             "phenotype/questionnaire.tsv", "phenotype/questionnaire.json"}) {
+                             readme_file, "phenotype/questionnaire.tsv", "phenotype/questionnaire.json"}) {
         if (fs::exists(folder_ / name)) {
             contents_[folder_ / name] = support::read_text(folder_ / name);
         }
     }
 }
 
-void StudyCopy::restore() const {
+void StudyCopy::restore(const std::function<void()>& tell) const {
     support::make_writable_folder(folder_);
-    const FolderLock lock = FolderLock::wait(folder_);
+    const FolderLock lock = FolderLock::wait(folder_, tell);
     for (const auto& [file, content] : contents_) {
         if (!fs::exists(file)) {
             support::make_writable_folder(file.parent_path());

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 
@@ -29,19 +30,23 @@ public:
 
     const fs::path& folder() const { return folder_; }
     /// Make the folder and what belongs to all its participants, as far as it is not there yet, and note the
-    /// participant; safe beside other programs that do the same. Throws InputError, Failure.
-    void prepare(const std::string& title, const std::string& label) const;
+    /// participant; safe beside other programs that do the same, of which `tell` says that it waits for them.
+    /// Throws InputError, Failure.
+    void prepare(const std::string& title, const std::string& label,
+                 const std::function<void()>& tell = {}) const;
     /// Copy the stimuli's contact sheet to stimuli/contact_sheet.png where there is one and the study has
     /// none.
     void keep_contact_sheet(const fs::path& sheet) const;
     /// Copy the pictures to stimuli/<first 12 digits of the set's digest>/, as far as they are not there
-    /// unchanged. Throws support::Failure where the disk would be left without room for answers, and
-    /// std::runtime_error.
+    /// unchanged; what a program left that was killed while it copied is removed. Throws support::Failure
+    /// where the disk would be left without room for answers, and std::runtime_error.
     KeptStimuli keep_stimuli(const StimulusSet& stimuli) const;
 
 private:
     void check_kind() const;
     void check_room(std::uintmax_t bytes) const;
+    void copy_picture(const fs::path& from, const fs::path& name) const;
+    void remove_half_copies() const;
 
     fs::path folder_;
     bool simulated_;
@@ -53,8 +58,9 @@ class StudyCopy {
 public:
     /// Read it. Throws support::InputError.
     explicit StudyCopy(fs::path folder);
-    /// Write what is no longer there. Throws support::Failure, InputError.
-    void restore() const;
+    /// Write what is no longer there; `tell` says that it waits for another program. Throws
+    /// support::Failure, InputError.
+    void restore(const std::function<void()>& tell = {}) const;
 
 private:
     fs::path folder_;

@@ -72,8 +72,8 @@ void check_texts(const study::Protocol& protocol, std::size_t trials, const std:
     for (const auto& [name, text] :
          {std::pair{"instructions", texts.instructions}, std::pair{"practice", texts.practice + early},
           std::pair{"practice_end", texts.practice_end + early}, std::pair{"trial", texts.trial + early},
-          std::pair{"pause", texts.pause}, std::pair{"declined", texts.declined},
-          std::pair{"end", texts.end}}) {
+          std::pair{"pause", texts.pause}, std::pair{"declined", texts.declined}, std::pair{"end", texts.end},
+          std::pair{"waiting", texts.waiting}}) {
         const std::string at = field(std::string("texts.") + name);
         check_letters(text, at);
         lay_out(fill_in(text, trials, trials), size[0], size[1], at);

@@ -130,13 +130,8 @@ void WindowStage::look() {
 void WindowStage::wait_out_change() {
     for (auto size = window_.framebuffer_size(); size[0] < least_size_[0] || size[1] < least_size_[1];
          size = window_.framebuffer_size()) {
-        Form form;
-        form.id = "screen";
-        form.text = texts_.screen;
-        form.facts = {
-            {"px", fmt::format("{} x {} < {} x {}", size[0], size[1], least_size_[0], least_size_[1])}};
-        form.next = texts_.next;
-        forms_.ask(form);
+        forms_.ask(screen_form(
+            texts_, fmt::format("{} x {} < {} x {}", size[0], size[1], least_size_[0], least_size_[1])));
     }
 }
 

@@ -44,8 +44,8 @@ struct SessionTexts {
     std::string consent, agree, decline, declined;
     std::string instructions, practice, practice_end, trial, early, pause, end;
     std::string next, back, question, missing, wrong, more;
-    std::string trouble, try_again, stop, close, go_on,
-        screen; ///< what happens unasked, and what can be done
+    std::string trouble, try_again, stop, close, go_on, screen,
+        waiting; ///< what happens unasked, and what can be done
 };
 
 struct SessionSettings {
