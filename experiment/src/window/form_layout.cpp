@@ -28,7 +28,7 @@ float width_of(const ImFont& font, const std::string& text) {
 float text_height(const Form& form, const ImFont& large, float width) {
     const float lines =
         large.CalcTextSizeA(large.FontSize, FLT_MAX, width, form.text.c_str()).y / large.FontSize;
-    return (lines * line_em + 1) * large.FontSize;
+    return lines * line_px(large) + large.FontSize;
 }
 
 } // namespace
@@ -45,7 +45,7 @@ FormLayout lay_out_form(const Form& form, const ImFont& large, float width, floa
         const float rows = static_cast<float>(form.choices.size()) * (row_em + gap_em) * em;
         const float room = height - em;
         const bool scrolls = room - closest * rows < needed;
-        const float wanted = scrolls ? least_lines * line_em * em : needed;
+        const float wanted = scrolls ? least_lines * line_px(large) : needed;
         scale = std::clamp((room - wanted) / rows, closest, 1.0F);
         answer = scale * rows + em;
     }
@@ -84,7 +84,7 @@ void check_form(const Form& form, const FormFonts& fonts, const std::array<int, 
         check_line(range_label(form), *fonts.large, width - number_em * em);
     }
     const FormLayout layout = lay_out_form(form, *fonts.large, width, height);
-    if (!layout.whole && layout.text < least_lines * line_em * em) {
+    if (!layout.whole && layout.text < least_lines * line_px(*fonts.large)) {
         refuse("a text and choices that have room",
                fmt::format("{} choices below {} bytes of text", form.choices.size(), form.text.size()));
     }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <string>
 
 #include <imgui.h>
@@ -16,8 +17,11 @@ namespace experiment {
 // A form's lengths over the large font's size, and shares of the window.
 constexpr float column_share = 0.72F; // of the window's width
 constexpr float top_share = 0.08F;    // of its height, as much below
-constexpr float line_em = 1.35F;      // from line to line
 constexpr float foot_em = 3.2F;       // height of the last line's room
+
+/// From line to line, in whole pixels: ImGui rounds places towards zero, so that fractions would make what is
+/// above the screen longer than what is on it.
+inline float line_px(const ImFont& font) { return std::round(1.35F * font.FontSize); }
 
 /// How a form's room is shared, in pixels.
 struct FormLayout {

@@ -37,7 +37,7 @@ constexpr int form_flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMo
 void draw_lines(const std::string& text, float width) {
     const ImFont& font = *ImGui::GetFont();
     const char* const end = text.data() + text.size();
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, (line_em - 1) * font.FontSize});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, line_px(font) - font.FontSize});
     for (const char* line = text.data(); line < end;) {
         const char* const paragraph = std::find(line, end, '\n');
         const char* const wrapped =
@@ -229,15 +229,16 @@ void FormView::draw_body(const Form& form, const FormLayout& layout, State& stat
             state.scroll_lines += sign * held_lines * io.DeltaTime;
         }
     }
-    const float scroll_px = std::exchange(state.scroll_lines, 0.0F) * line_em * large_->FontSize;
-    if (scroll_px != 0) {
-        ImGui::SetScrollY(std::clamp(ImGui::GetScrollY() + scroll_px, 0.0F, ImGui::GetScrollMaxY()));
-    }
-    // ImGui knows how far a text scrolls when it was drawn before; till then it knows the last form's.
+    // ImGui knows how far a text scrolls when it was drawn before; till then it knows the last form's. What
+    // keys ask for meanwhile is kept.
     constexpr int settled_frames = 3;
     if (++state.frames < settled_frames) {
         ImGui::SetScrollY(0);
     } else {
+        const float scroll_px = std::exchange(state.scroll_lines, 0.0F) * line_px(*large_);
+        if (scroll_px != 0) {
+            ImGui::SetScrollY(std::clamp(ImGui::GetScrollY() + scroll_px, 0.0F, ImGui::GetScrollMaxY()));
+        }
         state.goes_on = ImGui::GetScrollY() < ImGui::GetScrollMaxY() - 1;
         state.end_seen = state.end_seen || !state.goes_on;
     }
@@ -251,13 +252,13 @@ void FormView::draw_facts(const Form& form) const {
     }
     ImGui::PushTextWrapPos(0);
     ImGui::PushFont(small_);
-    ImGui::Dummy({0, small_->FontSize / 2});
+    ImGui::Dummy({0, std::round(small_->FontSize / 2)});
     for (const auto& [name, value] : form.facts) {
         ImGui::TextColored(dim_ink, "%s", name.c_str());
         ImGui::SameLine(name_em * small_->FontSize);
         ImGui::TextUnformatted(value.c_str());
     }
-    ImGui::Dummy({0, small_->FontSize / 2});
+    ImGui::Dummy({0, std::round(small_->FontSize / 2)});
     for (const std::string& warning : form.warnings) {
         ImGui::TextColored(warning_ink, "!");
         ImGui::SameLine(warning_em * small_->FontSize);
