@@ -205,7 +205,7 @@ void run_to_the_end(const Preparation& ready, Stage& stage, const Files& files, 
         keep_events(files.log, kept);
         throw support::Failure(saved);
     }
-    tell_timing(stage.facts(), timing);
+    tell_timing(stage.facts(), ready.protocol.session.grey_s, timing);
     try {
         run_end_page(session, schedule, stage);
     } catch (const Interrupted&) {
@@ -248,7 +248,7 @@ KeptStimuli prepare_study(const SessionOptions& options, const Preparation& read
     // No session waits for pictures that can be copied later.
     KeptStimuli kept;
     try {
-        kept = ready.study.keep_stimuli(ready.stimuli);
+        ready.study.keep_stimuli(ready.stimuli, kept);
         ready.study.keep_contact_sheet(ready.stimuli.folder() / "contact_sheet.png");
     } catch (const std::runtime_error& error) {
         fmt::print(stderr, "skin2afc: note: {}\n", support::one_line(error.what()));
@@ -269,12 +269,15 @@ void run_on(const SessionOptions& options, const Preparation& ready, Stage& stag
     }
 
     // Open the files before the first picture.
-    const auto tell = [&] { stage.show(Page{protocol.session.texts.waiting}); };
+    std::optional<SessionLog> log;
+    const auto tell = [&] {
+        const std::size_t next = 1 + (log ? log->answers() : 0);
+        stage.show(Page{fill_in(protocol.session.texts.waiting, next, ready.plan.schedule.size())});
+    };
     KeptStimuli kept;
     write_with_retries(stage, [&] { kept = prepare_study(options, ready, said.answers, tell); });
     std::optional<StudyCopy> copy;
     write_with_retries(stage, [&] { copy.emplace(options.study); });
-    std::optional<SessionLog> log;
     write_with_retries(stage, [&] { log.emplace(open_log(options, ready.plan)); });
     Sidecar sidecar(log->sidecar_path(), protocol, ready.plan, ready.stimuli.manifest_digest(),
                     stage.facts());

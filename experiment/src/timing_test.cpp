@@ -45,9 +45,19 @@ double standard_deviation(const std::vector<double>& values) {
     return values.size() < 2 ? 0 : std::sqrt(squares / (count - 1));
 }
 
+bool acceptable(const std::vector<double>& grey_error_s, int dropped_frames) {
+    return median_size(grey_error_s) < acceptable_median_s && worst(grey_error_s) < acceptable_worst_s &&
+           dropped_frames == 0;
+}
+
 bool acceptable(const TimingFindings& findings) {
-    return median_size(findings.grey_error_s) < acceptable_median_s &&
-           worst(findings.grey_error_s) < acceptable_worst_s && findings.dropped_frames == 0;
+    return acceptable(findings.grey_error_s, findings.dropped_frames);
+}
+
+/// How long a grey can be shown for that is asked for: where swaps wait for the refresh, a whole number of
+/// frames.
+double showable_s(double grey_s, const std::optional<double>& vsync_hz) {
+    return vsync_hz ? whole_frames(grey_s, *vsync_hz) / *vsync_hz : grey_s;
 }
 
 /// A picture whose neighbouring pixels differ, so that no driver can make it cheap.
@@ -87,10 +97,8 @@ TimingFindings measure(const study::Protocol& protocol, const ScreenOptions& scr
     for (std::size_t i = 0; i == 0 || stage.now_s() < start_s + seconds; ++i) {
         const double onset_grey_s = stage.show_after(picture_s, Grey{protocol.session.grey_level});
         const double onset_s = stage.show_after(findings.grey_s, pictures[i % 2]);
-        const double asked_s = stage.refresh().vsync
-                                   ? whole_frames(findings.grey_s, stage.refresh().hz) / stage.refresh().hz
-                                   : findings.grey_s;
-        findings.grey_error_s.push_back(onset_s - onset_grey_s - asked_s);
+        findings.grey_error_s.push_back(onset_s - onset_grey_s -
+                                        showable_s(findings.grey_s, stage.facts().refresh_hz));
     }
     for (const Flip& flip : stage.flips()) {
         findings.swap_s.push_back(flip.onset_s - flip.called_s);
@@ -147,16 +155,20 @@ std::string timing_report(const TimingFindings& findings) {
     return report;
 }
 
-void tell_timing(const StageFacts& facts, const Timing& timing) {
+void tell_timing(const StageFacts& facts, double grey_s, const Timing& timing) {
     constexpr double ms = 1000;
     if (facts.observer || timing.grey_error_s.empty()) {
         return;
     }
-    const double worst_s = worst(timing.grey_error_s);
+    // The sidecar holds errors of what was asked for.
+    std::vector<double> grey_error_s = timing.grey_error_s;
+    for (double& error_s : grey_error_s) {
+        error_s += grey_s - showable_s(grey_s, facts.refresh_hz);
+    }
     fmt::print("the grey was off by {:.2f} ms (median), {:.2f} ms (worst); dropped frames: {}\n",
-               ms * median_size(timing.grey_error_s), ms * worst_s,
+               ms * median_size(grey_error_s), ms * worst(grey_error_s),
                facts.dropped_frames ? std::to_string(*facts.dropped_frames) : "n/a");
-    if (worst_s >= acceptable_worst_s || facts.dropped_frames.value_or(0) > 0) {
+    if (!acceptable(grey_error_s, facts.dropped_frames.value_or(0))) {
         fmt::print(
             stderr,
             "skin2afc: warning: the timing was not acceptable throughout; the sidecar has each trial's, "

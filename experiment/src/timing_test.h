@@ -25,8 +25,9 @@ struct TimingFindings {
 /// The findings in words: what was measured, how to read it, what is acceptable and whether it was reached.
 std::string timing_report(const TimingFindings& findings);
 
-/// Print how exact a session before a screen was, and warn where that is not acceptable.
-void tell_timing(const StageFacts& facts, const Timing& timing);
+/// Print how exact a session before a screen was whose greys were asked for `grey_s`, and warn where that is
+/// not acceptable by the rules of the timing test.
+void tell_timing(const StageFacts& facts, double grey_s, const Timing& timing);
 
 /// Show grey and pictures in turn for so many seconds and print the report. Throws as a session does, and
 /// support::Failure where the timing is not acceptable.

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <support/error.h>
+#include <support/number_range.h>
 
 #include "head_command.h"
 
@@ -25,7 +26,7 @@ constexpr const char* footer = R"(DESCRIPTION
 
   Maps, as PNG: albedo, normals, roughness with the strength of the reflection in alpha (2048 x 2048;
   KHR_materials_specular), and the thickness of the flesh below each place (512 x 512, KHR_materials_volume: green, 1
-  being 40 mm). KHR_materials_ior says 1.4, skin's reflectance of 0.028.
+  being 40 mm). KHR_materials_ior says 1.4, a reflectance of 0.028 before that strength.
 
   Without options it is the head that other commands use when they get no --model.
 
@@ -39,8 +40,8 @@ AGE
 
 LEVELS
   full    59,000 triangles
-  fifth   a fifth of them
-  tenth   a tenth of them
+  fifth   a fifth of them, for heads a third of the picture high
+  tenth   a tenth of them, for heads far away; near, lines and facets show
 
 EXAMPLES
   skin2afc head --out head.glb
@@ -72,6 +73,8 @@ double melanin_of(const std::string& skin) {
     }
     return melanin;
 }
+
+constexpr double largest_seed = 9007199254740991; // 2^53 - 1, which every JSON reader has exactly
 
 HeadDetail detail_of(const std::string& level) {
     constexpr std::array<std::pair<std::string_view, HeadDetail>, 3> levels{
@@ -118,8 +121,10 @@ void add_head_command(CLI::App& app) {
     auto arguments = std::make_shared<Arguments>();
     CLI::App* command = app.add_subcommand("head", "Write the built-in head as a glTF model");
     command->add_option("--out", arguments->out, "File to write (.glb)")->required();
-    command->add_option("--seed", arguments->settings.seed,
-                        "Which person: proportions, asymmetry, pores, freckles; 0 is the built-in head");
+    command
+        ->add_option("--seed", arguments->settings.seed,
+                     "Which person: proportions, asymmetry, pores, freckles; 0 is the built-in head")
+        ->check(support::number_range(0, largest_seed));
     command->add_option("--age", arguments->settings.age_years, "Years, 18 to 90 [45]");
     command->add_option("--skin", arguments->skin, "Fitzpatrick type, I to VI, or share of melanin [II]");
     command->add_option("--level", arguments->level, "Triangles kept: full, fifth or tenth [full]");

@@ -88,8 +88,10 @@ public:
             return glm::mix(low, high, static_cast<float>(generator.uniform()));
         };
         for (glm::vec3& mole : moles_) {
-            const float x = between(-52, 52), y = between(-98, 70);
-            mole = {x, y, between(0.4F, 1.05F)};
+            // Not where the face turns to the side, as moles are discs seen from the front.
+            do {
+                mole = {between(-46, 46), between(-86, 66), between(0.4F, 1.05F)};
+            } while (square(mole.x / 46) + square((mole.y + 10) / 76) > 1);
         }
     }
 

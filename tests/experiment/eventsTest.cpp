@@ -126,16 +126,41 @@ TEST_F(ResumeTest, removesWhatAKilledProgramLeft) {
     for (const char* left :
          {".participants.99.pending.tsv", ".probe.99", "sub-01/beh/.x.99.pending",
           "phenotype/.questionnaire.99.pending.json", "stimuli/.contact_sheet.99.pending.png",
-          "stimuli/0123/.ts_near_000.99.pending.png", "stimuli/0123/.probe.99"}) {
+          "stimuli/0123456789ab/.ts_near_000.99.pending.png", "stimuli/0123456789ab/.probe.99"}) {
         fixture::write(study() / left, "half");
     }
     fixture::write(study() / ".bidsignore", "extra");
+    const fs::path others = study() / "stimuli" / "others" / ".x.99.pending.png";
+    fixture::write(others, "of another program");
     ASSERT_EQ(run().exit_code, 0);
+    EXPECT_TRUE(fs::remove(others)) << "not in a folder of copies";
     const auto files = fixture::files_below(study());
     EXPECT_TRUE(std::none_of(files.begin(), files.end(), [](const std::string& file) {
         return file.find("pending") != std::string::npos || file.find("probe") != std::string::npos;
     }));
     EXPECT_EQ(fixture::read(study() / ".bidsignore"), "extra");
+}
+
+TEST_F(ResumeTest, takesTheCopiesThatAreThereWhereNoneCanBeMade) {
+    ASSERT_EQ(run().exit_code, 0);
+    const int held = ::open((study() / "stimuli").c_str(), O_RDONLY | O_CLOEXEC);
+    ASSERT_EQ(::flock(held, LOCK_EX), 0);
+    auto words = arguments(study());
+    *(std::find(words.begin(), words.end(), "--participant") + 1) = "02";
+    ASSERT_EQ(fixture::run_program(words).exit_code, 0);
+    ::close(held);
+    const auto events = fixture::read_log(events_of(fixture::log_path(study(), "02")));
+    ASSERT_FALSE(events.empty());
+    for (const auto& event : events) {
+        EXPECT_EQ(event.at("stim_file") == "n/a", event.at("trial_type") == "grey");
+    }
+}
+
+TEST_F(ResumeTest, needsNoReadmeThatItCanRead) {
+    fs::create_directories(study() / "README.md");
+    EXPECT_EQ(run().exit_code, 0);
+    EXPECT_TRUE(fs::is_directory(study() / "README.md"));
+    EXPECT_FALSE(fixture::read_log(log()).empty());
 }
 
 TEST_F(ResumeTest, knowsAnObserverByItsContent) {

@@ -127,7 +127,8 @@ TEST_F(FaultTest, saysThatItWaitsForAnotherProgram) {
     // The start page is what stays.
     const fs::path png = folder_ / "screen.png";
     std::string shown, before;
-    for (bool page = false; !page || shown != before;) {
+    bool page = false;
+    for (int look = 0; look < 200 && (!page || shown != before); ++look) {
         before = shown;
         wait_ms(100);
         page = screen_.save(png);

@@ -37,15 +37,22 @@ TEST(TimingReportTest, judgesSizesWhateverTheirSign) {
 }
 
 TEST(TimingWarningTest, comesWhereAGreyIsOffByMoreThanIsAcceptable) {
-    const auto warns = [](const experiment::StageFacts& facts, std::vector<double> grey_error_s) {
+    constexpr double grey_s = 0.5;
+    const auto warns = [&](const experiment::StageFacts& facts, std::vector<double> grey_error_s) {
         testing::internal::CaptureStdout();
         testing::internal::CaptureStderr();
-        experiment::tell_timing(facts, {.grey_error_s = std::move(grey_error_s), .save_s = {}});
+        experiment::tell_timing(facts, grey_s, {.grey_error_s = std::move(grey_error_s), .save_s = {}});
         testing::internal::GetCapturedStdout();
         return !testing::internal::GetCapturedStderr().empty();
     };
     EXPECT_FALSE(warns({}, {0.0005, -0.0019, 0.0005}));
     EXPECT_TRUE(warns({}, {0.0005, -0.0021, 0.0005}));
+    EXPECT_TRUE(warns({}, {0.0011, -0.0011, 0.0011})) << "the median, too";
+    // At 75 Hz the nearest to half a second are 38 frames (37.5 round up), 6.7 ms more.
+    experiment::StageFacts paced;
+    paced.refresh_hz = 75;
+    EXPECT_FALSE(warns(paced, {38 / 75.0 - grey_s}));
+    EXPECT_TRUE(warns(paced, {0}));
     experiment::StageFacts dropping;
     dropping.dropped_frames = 1;
     EXPECT_TRUE(warns(dropping, {0.0005}));

@@ -170,10 +170,11 @@ TEST_F(WindowTest, goesOnAfterAKillAtTheFirstTrialWithoutAnswer) {
     const std::string before = fixture::read(log());
     start_again();
     const auto parts = [&] { return nlohmann::json::parse(fixture::read(sidecar()))["Parts"].size(); };
-    while (parts() < 2) {
+    for (int press = 0; press < 200 && parts() < 2; ++press) {
         VirtualScreen::key("Return");
         wait_ms(100);
     }
+    ASSERT_EQ(parts(), 2U);
     wait_ms(500);
     VirtualScreen::key("space");
     wait_ms(300);

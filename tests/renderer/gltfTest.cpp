@@ -7,6 +7,7 @@
 #include <fstream>
 #include <functional>
 #include <limits>
+#include <set>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -176,7 +177,7 @@ TEST_F(GltfTest, takesOtherUnitsAndFlippedV) {
 }
 
 TEST_F(GltfTest, readsTheStrengthOfTheReflection) {
-    const auto material = [&](const char* json) {
+    const auto model = [&](const char* json) {
         Source source;
         source.append(one_pixel_png.data(), one_pixel_png.size());
         source.json["bufferViews"].push_back(
@@ -186,8 +187,9 @@ TEST_F(GltfTest, readsTheStrengthOfTheReflection) {
         source.json["extensionsUsed"] = {"KHR_materials_specular"};
         source.json["materials"] = {{{"extensions", {{"KHR_materials_specular", Json::parse(json)}}}}};
         source.json["meshes"][0]["primitives"][0]["material"] = 0;
-        return load(source.glb()).materials[0];
+        return load(source.glb());
     };
+    const auto material = [&](const char* json) { return model(json).materials[0]; };
     EXPECT_EQ(material("{}").specular_factor, 1);
     EXPECT_EQ(material("{}").specular, nullptr);
     EXPECT_EQ(material(R"({"specularFactor": 0.25})").specular_factor, 0.25f);
@@ -195,6 +197,9 @@ TEST_F(GltfTest, readsTheStrengthOfTheReflection) {
     ASSERT_NE(textured.specular, nullptr);
     ASSERT_EQ(textured.specular->channels, 4);
     EXPECT_EQ(textured.specular->pixels[3], 77);
+    const std::set<std::string> digests{model("{}").digest, model(R"({"specularFactor": 0.25})").digest,
+                                        model(R"({"specularTexture": {"index": 0}})").digest};
+    EXPECT_EQ(digests.size(), 3U);
 }
 
 TEST_F(GltfTest, digestFollowsTheContent) {
@@ -271,6 +276,8 @@ TEST_F(GltfTest, namesWhatIsWrong) {
         {[&](Source& s) { specular(s, R"({"specularTexture": {"index": 3}})"); },
          "expected a texture below 0"},
         {[&](Source& s) { specular(s, R"({"specularTexture": {"texCoord": 0}})"); },
+         "specularTexture.index: expected"},
+        {[&](Source& s) { specular(s, R"({"specularTexture": {"index": -1}})"); },
          "specularTexture.index: expected"},
         {[&](Source& s) { specular(s, R"({"specularTexture": 7})"); }, "specularTexture.index: expected"},
         {[&](Source& s) { specular(s, R"({"specularTexture": {"index": 0, "texCoord": 1}})"); },

@@ -55,7 +55,6 @@ TEST_F(PipelineTest, aUniformlyLitPlaneKeepsItsLight) {
     }
 }
 
-// No halo: nothing of the skin beside the silhouette, nothing of the background inside.
 // A black surface shows the reflection alone, which a material's factor and map scale, each by itself and
 // together.
 TEST_F(PipelineTest, aMaterialScalesItsReflection) {
@@ -107,6 +106,7 @@ TEST_F(PipelineTest, aMaterialWithoutReflectionLetsAllLightIn) {
     }
 }
 
+// No halo: nothing of the skin beside the silhouette, nothing of the background inside.
 TEST_F(PipelineTest, silhouettesMixSkinAndBackgroundByCoverageAlone) {
     const scene::Model model = scenes::plane(40);
     passes::Look look = scenes::diffuse_look();

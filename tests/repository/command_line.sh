@@ -72,6 +72,7 @@ refuses "--out is required" head
 refuses '--skin: expected I, II' head --out head.glb --skin pale
 refuses '--skin: expected I, II' head --out head.glb --skin 0.7
 refuses '--age: expected 18 to 90' head --out head.glb --age 7
+refuses '--seed' head --out head.glb --seed -1
 refuses '--level: expected full, fifth or tenth' head --out head.glb --level low
 refuses '--out: expected a file that ends in .glb' head --out head.obj
 refuses 'expected a folder, found none' head --out none/head.glb

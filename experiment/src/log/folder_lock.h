@@ -12,7 +12,8 @@ namespace experiment {
 
 namespace fs = std::filesystem;
 
-/// An exclusive lock on a folder, held while it lives; it goes with the program, however that ends.
+/// A lock on a folder, of one program or shared, held while it lives; it goes with the program, however that
+/// ends.
 class FolderLock {
 public:
     /// Wait until no other program holds the folder, some seconds at most; where that takes longer than

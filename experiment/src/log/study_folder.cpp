@@ -26,6 +26,7 @@ constexpr const char* events_file = "task-skin2afc_events.json";
 constexpr const char* readme_file = "README.md";
 constexpr const char* bids_version = "1.11.0";
 constexpr const char* stimuli_folder = "stimuli";                     // BIDS has a place for them
+constexpr std::size_t set_digits = 12;                                // of its digest
 constexpr std::uintmax_t room_for_answers = std::uintmax_t{64} << 20; // bytes
 
 /// Whether a study folder without description holds participants' data; what a program that was killed left
@@ -73,19 +74,34 @@ with the protocol {}, as a data set in the Brain Imaging Data Structure (BIDS {}
 - `phenotype/questionnaire.tsv`: answers to the questions before the first session, where there were any.
 - `stimuli/`: the pictures that were shown, a folder a set, and where there was one a contact sheet.
 
-A missing value is `n/a`. Of a participant's runs the last complete one counts, or, where none is complete, the last.
+A missing value is `n/a`. Of a participant's runs the last complete one counts, or, where none is complete, the last that
+holds trials.
 
 The program writes this text once and leaves it alone. Add what it cannot know: who took part, where and when, under
 whose approval, who to ask, and under what licence the data may be used.
 )",
-        title, simulated ? "Simulated participants; no person took part.\n\n" : "", SKIN2AFC_VERSION,
-        protocol, bids_version);
+        title.empty() ? protocol : support::one_line(title),
+        simulated ? "Simulated participants; no person took part.\n\n" : "", SKIN2AFC_VERSION, protocol,
+        bids_version);
 }
 
 /// Whether a study has a text for its readers, under any of the names that BIDS has for it.
 bool has_readme(const fs::path& folder) {
-    const auto there = [&](const char* name) { return fs::exists(folder / name); };
+    std::error_code unknown; // what cannot be looked at is there
+    const auto there = [&](const char* name) {
+        return fs::symlink_status(folder / name, unknown).type() != fs::file_type::not_found;
+    };
     return there("README") || there("README.md") || there("README.rst") || there("README.txt");
+}
+
+/// Where the copies of a set are, by its manifest's digest.
+fs::path set_folder(const std::string& digest) { return digest.substr(0, set_digits); }
+
+bool is_set_folder(const fs::directory_entry& entry) {
+    const std::string name = entry.path().filename().string();
+    std::error_code none;
+    return !entry.is_symlink(none) && entry.is_directory(none) && name.size() == set_digits &&
+           name.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
 /// Whether a file is there and has that SHA-256.
@@ -202,19 +218,23 @@ void StudyFolder::remove_half_copies() const {
     if (!fs::is_directory(copies, none)) {
         return;
     }
-    if (const auto alone = FolderLock::attempt(copies)) {
-        support::remove_leftovers(copies);
-        for (const auto& entry : fs::directory_iterator(copies, none)) {
-            support::remove_leftovers(entry.path());
+    try {
+        if (const auto alone = FolderLock::attempt(copies)) {
+            support::remove_leftovers(copies);
+            for (const auto& entry : fs::directory_iterator(copies, none)) {
+                if (is_set_folder(entry)) {
+                    support::remove_leftovers(entry.path());
+                }
+            }
         }
+    } catch (const std::runtime_error&) { // where nothing may be written, there is nothing to remove
     }
 }
 
-KeptStimuli StudyFolder::keep_stimuli(const StimulusSet& stimuli) const {
+void StudyFolder::keep_stimuli(const StimulusSet& stimuli, KeptStimuli& kept) const {
     remove_half_copies();
     // Of two sets that share names, each has a folder of its own.
-    const fs::path own = stimuli.manifest_digest().substr(0, 12);
-    KeptStimuli kept;
+    const fs::path own = set_folder(stimuli.manifest_digest());
     std::uintmax_t bytes = 0;
     for (const auto& [stimulus, file] : stimuli.files()) {
         const fs::path name = own / file.filename();
@@ -236,7 +256,6 @@ KeptStimuli StudyFolder::keep_stimuli(const StimulusSet& stimuli) const {
             kept[stimulus] = name.string();
         }
     }
-    return kept;
 }
 
 /// Refuse to take the room that answers may need.
@@ -249,10 +268,15 @@ void StudyFolder::check_room(std::uintmax_t bytes) const {
 
 StudyCopy::StudyCopy(fs::path folder) : folder_(std::move(folder)) {
     for (const char* name : {"dataset_description.json", "participants.tsv", "participants.json", events_file,
-                             readme_file, "phenotype/questionnaire.tsv", "phenotype/questionnaire.json"}) {
+                             "phenotype/questionnaire.tsv", "phenotype/questionnaire.json"}) {
         if (fs::exists(folder_ / name)) {
             contents_[folder_ / name] = support::read_text(folder_ / name);
         }
+    }
+    try {
+        contents_[folder_ / readme_file] = support::read_text(folder_ / readme_file);
+    } catch (const support::InputError&) { // no session needs it
+        contents_.erase(folder_ / readme_file);
     }
 }
 

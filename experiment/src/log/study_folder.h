@@ -38,9 +38,10 @@ public:
     /// none.
     void keep_contact_sheet(const fs::path& sheet) const;
     /// Copy the pictures to stimuli/<first 12 digits of the set's digest>/, as far as they are not there
-    /// unchanged; what a program left that was killed while it copied is removed. Throws support::Failure
-    /// where the disk would be left without room for answers, and std::runtime_error.
-    KeptStimuli keep_stimuli(const StimulusSet& stimuli) const;
+    /// unchanged, and note in `kept` those that are there, also where it throws; what a program left that was
+    /// killed while it copied is removed. Throws support::Failure where the disk would be left without room
+    /// for answers, and std::runtime_error.
+    void keep_stimuli(const StimulusSet& stimuli, KeptStimuli& kept) const;
 
 private:
     void check_kind() const;

@@ -118,6 +118,7 @@ void describe_screen(GLFWmonitor* monitor, const study::Protocol& protocol, cons
     check_size("monitor", protocol.image.width, protocol.image.height, mode->width, mode->height);
     facts.monitor = fmt::format("{} ({}), {} x {} pixels, reports {} Hz", options.monitor,
                                 glfwGetMonitorName(monitor), mode->width, mode->height, mode->refreshRate);
+    facts.resolution_px = {mode->width, mode->height};
     measure_screen(monitor, *mode, protocol, options, facts);
     const bool fills = mode->width == protocol.image.width && mode->height == protocol.image.height;
     if (!fills && !options.windowed) {

@@ -316,7 +316,6 @@ StageFacts WindowStage::facts() const {
     StageFacts facts = screen_;
     facts.pacing = refresh_.vsync ? "vsync" : "clock";
     facts.gl_renderer = renderer::gl::driver_info().renderer;
-    facts.resolution_px = window_.framebuffer_size();
     if (looks_ > 0) {
         facts.key_resolution_s = looked_s_ / static_cast<double>(looks_);
         facts.worst_key_delay_s = worst_key_delay_s_;

@@ -74,7 +74,7 @@ Defines SurfaceLook::defines(const GpuModel::Traits& material, std::size_t beams
             {"COLOR_MAP", all || material.color_map ? 1 : 0},
             {"NORMAL_MAP", all || material.normal_map ? 1 : 0},
             {"ROUGHNESS_MAP", all || material.roughness_map ? 1 : 0},
-            {"SPECULAR_MAP", all || material.specular_map ? 1 : 0},
+            {"SPECULAR_MAP", all || (material.specular_map && look_.specular_intensity > 0) ? 1 : 0},
             {"SPECULAR", all || look_.specular_intensity > 0 ? 1 : 0},
             {"SCATTERS", material.scatters ? 1 : 0}};
 }

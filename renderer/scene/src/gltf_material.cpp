@@ -148,12 +148,13 @@ private:
         }
         if (extension.Has("specularTexture")) {
             const tinygltf::Value& found = extension.Get("specularTexture");
-            if (!found.Has("index") || !found.Get("index").IsInt()) {
-                throw support::input_error("{}: {}.specularTexture.index: expected a whole number",
+            const bool has_index = found.Has("index") && found.Get("index").IsInt();
+            if (!has_index || found.Get("index").GetNumberAsInt() < 0) {
+                throw support::input_error("{}: {}.specularTexture.index: expected a whole number from 0 on",
                                            file_.string(), what);
             }
-            if (found.Has("texCoord") && !(found.Get("texCoord").IsInt() && //
-                                           found.Get("texCoord").GetNumberAsInt() == 0)) {
+            const bool has_set = found.Has("texCoord");
+            if (has_set && (!found.Get("texCoord").IsInt() || found.Get("texCoord").GetNumberAsInt() != 0)) {
                 throw texture_coordinates_error(what);
             }
             material.specular = texture(found.Get("index").GetNumberAsInt(), what + ".specularTexture");
