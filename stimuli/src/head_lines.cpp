@@ -47,10 +47,12 @@ float eye_mm(const Noise& noise, glm::vec3 p, glm::vec3 place) {
 
     const glm::vec2 from_corner(p.x - eye_outer_x + 5, p.y + 2.5F);
     const float reach = glm::length(from_corner), angle = std::atan2(from_corner.y, from_corner.x);
-    const float fan =
-        smooth_step(3, 8, reach) * smooth_step(27, 11, reach) * smooth_step(0, 6, from_corner.x);
-    const float wander = 0.35F * noise({reach / 7, angle * 2, side});
-    return depth + 0.17F * fan * valley(noise({angle * 4.2F + wander, reach / 26, side}), 0.075F);
+    // Outwards and downwards, not up through the brow; evenly spread, so that none runs into another.
+    const float fan = smooth_step(3, 8, reach) * smooth_step(27, 11, reach) *
+                      smooth_step(0, 6, from_corner.x) * smooth_step(0.95F, 0.5F, angle);
+    const float across = 11 * angle + 1.5F * noise({reach / 9, angle, side}) + side;
+    const float uneven = 0.65F + 0.5F * noise({reach / 8, angle * 3, side + 20});
+    return depth + 0.14F * fan * uneven * valley(std::sin(across), 0.14F);
 }
 
 /// Lines around the mouth: from the nose's wing down beside it, below its corner, and short ones down to the
@@ -65,9 +67,10 @@ float mouth_mm(const Person& person, const Noise& noise, glm::vec3 p, glm::vec3 
     const float older = std::max(person.age - 0.5F, 0.0F);
     const float down = smooth_step(-69, -74, p.y) * smooth_step(-95, -81, p.y);
     depth += 0.5F * older * down * furrow(p.x - 28.5F - 0.22F * (-70 - p.y) + sway, 0.8F);
-    const float above = smooth_step(-63, -60, p.y) * smooth_step(-50, -56, p.y) * smooth_step(27, 18, p.x);
+    const float end_y = p.y + 4 * noise({p.x / 2.6F, 0.5F, place.x < 0 ? 13.5F : 14.5F});
+    const float above = smooth_step(-63, -60, p.y) * smooth_step(-51, -59, end_y) * smooth_step(27, 18, p.x);
     depth +=
-        0.22F * older * above * valley(noise({p.x / 2.3F, p.y / 22, place.x < 0 ? 11.5F : 12.5F}), 0.12F);
+        0.15F * older * above * valley(noise({p.x / 2.3F, p.y / 22, place.x < 0 ? 11.5F : 12.5F}), 0.12F);
     return depth;
 }
 

@@ -138,7 +138,7 @@ private:
         const float share = light_skin();
         relative += share * (0.24F * (1 + age) * noise_.octaves(place / 17.0F + glm::vec3(50), 2) +
                              0.08F * noise_(place / 1.1F) + 2.2F * age_spots(p, place));
-        relative += 0.12F * age + 2.4F * freckles(p, place) + 5 * share * moles(place);
+        relative += 0.12F * age + 2.4F * freckles(p, place) + 5 * share * share * moles(place);
         blood += 0.010F * age * vessels(p, place);
 
         const float lips = red_of_lips(p, place);
