@@ -250,6 +250,8 @@ KeptStimuli prepare_study(const SessionOptions& options, const Preparation& read
     try {
         ready.study.keep_stimuli(ready.stimuli, kept);
         ready.study.keep_contact_sheet(ready.stimuli.folder() / "contact_sheet.png");
+    } catch (const Interrupted&) {
+        throw;
     } catch (const std::runtime_error& error) {
         fmt::print(stderr, "skin2afc: note: {}\n", support::one_line(error.what()));
     }

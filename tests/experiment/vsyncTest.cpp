@@ -59,7 +59,11 @@ protected:
     /// A processor that others use cannot draw in time, which is no fault of the session's.
     void SetUp() override {
         fixture::WindowTest::SetUp();
-        const double share = least_processor_share();
+        double share = least_processor_share();
+        for (int look = 0; look < 20 && share < 0.85; ++look) {
+            wait_ms(1000);
+            share = least_processor_share();
+        }
         if (share < 0.85) {
             GTEST_SKIP() << "other programs leave " << share << " of a processor";
         }

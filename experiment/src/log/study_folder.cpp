@@ -276,7 +276,6 @@ StudyCopy::StudyCopy(fs::path folder) : folder_(std::move(folder)) {
     try {
         contents_[folder_ / readme_file] = support::read_text(folder_ / readme_file);
     } catch (const support::InputError&) { // no session needs it
-        contents_.erase(folder_ / readme_file);
     }
 }
 
